@@ -1,0 +1,16 @@
+# How our own code is compiled; linked privately by every target of the project.
+add_library(swathplan_options INTERFACE)
+target_compile_options(swathplan_options INTERFACE -Wall -Wextra -Wshadow -Wconversion)
+if(PROJECT_IS_TOP_LEVEL)
+  target_compile_options(swathplan_options INTERFACE -Werror)
+endif()
+# The same bytes on every machine: no fused multiply-add where the compiler feels like it.
+target_compile_options(swathplan_options INTERFACE -ffp-contract=off)
+if(SWATHPLAN_ASSERTS)
+  target_compile_options(swathplan_options INTERFACE -UNDEBUG)
+endif()
+if(SWATHPLAN_SANITIZE)
+  target_compile_options(swathplan_options INTERFACE
+    -fsanitize=${SWATHPLAN_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(swathplan_options INTERFACE -fsanitize=${SWATHPLAN_SANITIZE})
+endif()

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "mesh/angle.h"
+#include "mesh/frame.h"
+
+namespace swathplan {
+
+/// The seafloor as a triangle mesh in the local frame (see frame.h), one sheet seen from above.
+/// Invariants after import: indices in range, coordinates finite, every face has area and is
+/// counter-clockwise seen from above where it is not vertical, every vertex z <= 0.
+struct Seafloor {
+  using Face = std::array<std::uint32_t, 3>;
+  std::vector<Vec3> vertices;
+  std::vector<Face> faces;
+  Frame frame;
+};
+
+/// Axis-aligned extent in the horizontal plane, metres.
+struct Box2 {
+  Vec2 min = Vec2::Constant(1e300);
+  Vec2 max = Vec2::Constant(-1e300);
+  void extend(const Vec2& p) {
+    min = min.cwiseMin(p);
+    max = max.cwiseMax(p);
+  }
+  [[nodiscard]] bool empty() const { return min.x() > max.x(); }
+  [[nodiscard]] Vec2 size() const { return max - min; }
+};
+
+[[nodiscard]] Box2 extent(const Seafloor& seafloor);
+
+/// Range and plan-area-weighted mean of the depths (metres, positive down).
+struct DepthRange {
+  double min = 0.0, mean = 0.0, max = 0.0;
+};
+/// @throws InvalidInput if no face has a plan area.
+[[nodiscard]] DepthRange depth_range(const Seafloor& seafloor);
+
+/// Answers "how deep is it here?" in O(1) a query: a bucket grid over the faces' plan.
+/// Keeps a reference: the seafloor must outlive it.
+class DepthQuery {
+ public:
+  explicit DepthQuery(const Seafloor& seafloor);
+  ~DepthQuery();
+  DepthQuery(DepthQuery&&) noexcept;
+  DepthQuery& operator=(DepthQuery&&) noexcept;
+
+  /// Depth below `p`, metres positive down; the shoalest where faces lie above each other; empty
+  /// where there is no seafloor.
+  [[nodiscard]] std::optional<double> depth(const Vec2& p) const;
+  /// The face below `p` (the shoalest), if any.
+  [[nodiscard]] std::optional<std::uint32_t> face(const Vec2& p) const;
+  /// Depth at the nearest vertex of the seafloor: for points that the mesh narrowly misses.
+  [[nodiscard]] double nearest_depth(const Vec2& p) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Slope of a face against the horizontal, [0, 90] degrees.
+[[nodiscard]] Angle slope(const Seafloor& seafloor, std::uint32_t face);
+
+}  // namespace swathplan
