@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,13 +24,13 @@ struct FanAngles {
 
 /// A point of the route and what holds from it to the next one.
 struct Waypoint {
-  Vec2 position = Vec2::Zero();     ///< local metres
+  Vec2 position = Vec2::Zero();  ///< local metres
   LegKind kind = LegKind::line;
-  bool log = true;                  ///< data is kept
-  std::optional<int> line;          ///< number of the survey line
-  std::optional<FanAngles> fan;     ///< empty: sonar off
+  bool log = true;               ///< data is kept
+  std::optional<int> line;       ///< number of the survey line
+  std::optional<FanAngles> fan;  ///< empty: sonar off
   double speed_mps = 2.0;
-  std::optional<int> region;        ///< depth region
+  std::optional<int> region;  ///< depth region
 };
 
 /// A route: straight segments between waypoints, dense enough that they are the path.

@@ -15,11 +15,11 @@ enum class BeamSpacing { equiangular, equidistant };
 /// A multibeam echo sounder. Presets are nominal: check your data sheet.
 struct Sonar {
   std::string name = "norbit-iwbms";
-  int beams = 256;                                  ///< >= 2
+  int beams = 256;  ///< >= 2
   BeamSpacing spacing = BeamSpacing::equiangular;
   Angle beam_width_along = Angle::degrees(1.9);
   Angle beam_width_across = Angle::degrees(0.9);
-  Angle max_opening = Angle::degrees(160);          ///< full fan, (0, 180) degrees
+  Angle max_opening = Angle::degrees(160);  ///< full fan, (0, 180) degrees
   double max_ping_rate_hz = 60.0;
   double max_range_m = 275.0;
 };

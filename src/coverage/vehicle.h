@@ -10,10 +10,10 @@ namespace swathplan {
 /// A survey vehicle. Presets are nominal: check your own.
 struct Vehicle {
   std::string name = "wam-v";
-  double speed_mps = 2.0;             ///< on lines
-  double turn_radius_m = 1.5;         ///< smallest
-  double draft_m = 0.3;               ///< depth of the sonar and keel below the water line
-  double under_keel_margin_m = 0.5;   ///< water wanted below the keel
+  double speed_mps = 2.0;            ///< on lines
+  double turn_radius_m = 1.5;        ///< smallest
+  double draft_m = 0.3;              ///< depth of the sonar and keel below the water line
+  double under_keel_margin_m = 0.5;  ///< water wanted below the keel
 };
 
 [[nodiscard]] std::vector<Vehicle> vehicle_presets();

@@ -10,24 +10,24 @@ namespace swathplan {
 
 /// Limits between depth bands: `count` equal bands over the depths, or explicit depths.
 struct DepthBands {
-  int count = 2;                  ///< >= 1; used when `limits` is empty
-  std::vector<double> limits;     ///< depths in metres, ascending, between the bands
+  int count = 2;               ///< >= 1; used when `limits` is empty
+  std::vector<double> limits;  ///< depths in metres, ascending, between the bands
 };
 
 /// One connected set of faces in one depth band.
 struct DepthRegion {
-  int band = 0;                        ///< 0 is the shoalest band
-  std::vector<std::uint32_t> faces;    ///< ascending
-  double mean_depth_m = 0.0;           ///< plan-area-weighted over the seafloor below the faces
+  int band = 0;                      ///< 0 is the shoalest band
+  std::vector<std::uint32_t> faces;  ///< ascending
+  double mean_depth_m = 0.0;         ///< plan-area-weighted over the seafloor below the faces
   double min_depth_m = 0.0, max_depth_m = 0.0;
   double area_m2 = 0.0;
 };
 
 /// The partition of a planar mesh by depth.
 struct DepthRegions {
-  std::vector<double> band_limits_m;        ///< between bands, ascending
-  std::vector<DepthRegion> regions;         ///< by their lowest face
-  std::vector<std::uint32_t> region_of;     ///< region per face
+  std::vector<double> band_limits_m;     ///< between bands, ascending
+  std::vector<DepthRegion> regions;      ///< by their lowest face
+  std::vector<std::uint32_t> region_of;  ///< region per face
 };
 
 struct DepthRegionOptions {

@@ -12,9 +12,9 @@ using Vec3 = Eigen::Vector3d;
 /// depth = -z, positive down; azimuth clockwise from north. The origin is kept in double precision
 /// in the horizontal coordinates of the input file, so that UTM-sized coordinates lose nothing.
 struct Frame {
-  Vec2 origin = Vec2::Zero();       ///< the local origin in file coordinates (easting, northing)
-  double metres_per_unit = 1.0;     ///< metres in one horizontal unit of the file (0.3048 for feet)
-  std::string crs_wkt;              ///< projected CRS of the file coordinates, WKT; empty: local only
+  Vec2 origin = Vec2::Zero();    ///< the local origin in file coordinates (easting, northing)
+  double metres_per_unit = 1.0;  ///< metres in one horizontal unit of the file (0.3048 for feet)
+  std::string crs_wkt;           ///< projected CRS of the file coordinates, WKT; empty: local only
 
   /// File coordinates -> local metres.
   [[nodiscard]] Vec2 to_local(const Vec2& file) const { return (file - origin) * metres_per_unit; }

@@ -9,15 +9,15 @@ namespace swathplan {
 
 /// The one shared edge through which a path may pass between two neighbouring depth regions.
 struct Gate {
-  std::uint32_t edge;                      ///< index into the shared edges
-  std::uint32_t region_a, region_b;        ///< region_a < region_b
-  Angle slope;                             ///< slope of the seafloor across the edge
+  std::uint32_t edge;                ///< index into the shared edges
+  std::uint32_t region_a, region_b;  ///< region_a < region_b
+  Angle slope;                       ///< slope of the seafloor across the edge
 };
 
 /// Gates of the spanning tree of regions, and every other edge between regions: blocked.
 struct Gates {
-  std::vector<Gate> gates;                       ///< by (region_a, region_b)
-  std::vector<std::uint32_t> blocked_edges;      ///< indices into the shared edges, ascending
+  std::vector<Gate> gates;                   ///< by (region_a, region_b)
+  std::vector<std::uint32_t> blocked_edges;  ///< indices into the shared edges, ascending
 };
 
 /// Chooses for each pair of neighbouring regions the edge across which the seafloor slopes least

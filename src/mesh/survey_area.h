@@ -9,9 +9,9 @@ namespace swathplan {
 
 /// What bounds the survey besides the data itself.
 struct SurveyAreaOptions {
-  std::optional<Area> limit;   ///< survey only inside this; empty: wherever there is data
-  Area no_go;                  ///< never inside this
-  double safe_depth_m = 0.0;   ///< shoalest depth that counts (draft + under-keel margin), >= 0
+  std::optional<Area> limit;  ///< survey only inside this; empty: wherever there is data
+  Area no_go;                 ///< never inside this
+  double safe_depth_m = 0.0;  ///< shoalest depth that counts (draft + under-keel margin), >= 0
 };
 
 /// Outline of the seafloor in plan with its holes: the boundary loops of the mesh, united.
