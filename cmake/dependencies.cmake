@@ -15,12 +15,13 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
 pkg_check_modules(CLIPPER REQUIRED IMPORTED_TARGET polyclipping)
 
-# OpenCV's own config file ships only in Debian's full package, so the three modules are found by hand.
+# OpenCV's own config file ships only in Debian's full package, so the modules are found by hand.
 find_path(OPENCV_INCLUDE_DIR opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
 find_library(OPENCV_CORE_LIBRARY opencv_core REQUIRED)
 find_library(OPENCV_IMGPROC_LIBRARY opencv_imgproc REQUIRED)
 find_library(OPENCV_IMGCODECS_LIBRARY opencv_imgcodecs REQUIRED)
+find_library(OPENCV_ML_LIBRARY opencv_ml REQUIRED)
 add_library(swathplan_opencv INTERFACE)
 target_include_directories(swathplan_opencv SYSTEM INTERFACE ${OPENCV_INCLUDE_DIR})
 target_link_libraries(swathplan_opencv INTERFACE
-  ${OPENCV_IMGCODECS_LIBRARY} ${OPENCV_IMGPROC_LIBRARY} ${OPENCV_CORE_LIBRARY})
+  ${OPENCV_IMGCODECS_LIBRARY} ${OPENCV_ML_LIBRARY} ${OPENCV_IMGPROC_LIBRARY} ${OPENCV_CORE_LIBRARY})
