@@ -1,0 +1,17 @@
+#include "io/read_route.h"
+
+#include "io/route_csv.h"
+#include "io/route_geojson.h"
+#include "io/text_internal.h"
+
+namespace swathplan {
+
+ImportedRoute read_route(const std::filesystem::path& path, const Frame& frame,
+                         const RouteDefaults& defaults) {
+  const std::string text = internal::read_text(path);
+  const std::string_view content = internal::trimmed(text);
+  return content.starts_with('{') ? parse_route_geojson(content, path.string(), frame, defaults)
+                                  : parse_route_csv(text, path.string(), frame, defaults);
+}
+
+}  // namespace swathplan
