@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <random>
 #include <vector>
 
 #include "coverage/route.h"
@@ -14,11 +16,13 @@ struct Ping {
   Angle roll;                    ///< starboard side down positive
   double heave_m = 0.0;          ///< up positive
   FanAngles fan;
-  std::uint32_t leg = 0;         ///< index into legs(route)
+  std::uint32_t leg = 0;  ///< index into legs(route)
   bool log = true;
 };
 
-/// Departures from ideal tracking, Gaussian, correlated in time so that a boat wanders, seeded.
+/// Departures from ideal tracking, seeded: Gaussian (first-order Gauss-Markov over distance, so
+/// that a boat wanders), stationary from the first ping. Each departure draws its own numbers, so
+/// that switching one on leaves the others as they were.
 struct TrackNoise {
   double lateral_sigma_m = 0.0;
   Angle heading_sigma, roll_sigma;
@@ -35,8 +39,12 @@ struct TrackNoise {
 /// needs little memory. One ping each `spacing_m` of path from the first waypoint, on through
 /// waypoints without restart; the course is that of the segment being sailed; a ping on a waypoint
 /// belongs to the next segment; legs with the sonar off give none (but the count runs on).
+/// A waypoint counts as reached kPathDust before it, so that rounding neither drops the last ping
+/// nor moves one to the wrong segment. Keeps a reference: the route must outlive it.
 class PingWalker {
  public:
+  static constexpr double kPathDust = 1e-6;  ///< metres of path
+  /// @throws UsageError for a spacing or correlation length that is not > 0, or a negative sigma.
   PingWalker(const Route& route, double spacing_m, const TrackNoise& noise);
   /// Fills `block` with up to `count` next pings; false when none is left.
   bool next(std::size_t count, std::vector<Ping>& block);
@@ -44,14 +52,18 @@ class PingWalker {
   [[nodiscard]] double progress() const;
 
  private:
+  void step_noise();
+  void push(std::vector<Ping>& block) const;
+
   const Route* route_;
   double spacing_;
   TrackNoise noise_;
   std::vector<std::uint32_t> leg_of_segment_;
   std::size_t segment_ = 0;
   std::uint64_t index_ = 0;
-  double segment_start_ = 0.0, total_ = 0.0;
-  std::vector<double> noise_state_;
+  double segment_start_ = 0.0, segment_length_ = 0.0, total_ = 0.0;
+  std::mt19937_64 random_;
+  std::array<double, 4> noise_state_{};  // lateral, heading, roll, heave in units of their sigmas
 };
 
 }  // namespace swathplan

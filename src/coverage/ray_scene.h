@@ -16,8 +16,8 @@ enum class Nodata {
 
 /// A fan's beams from one origin; results per beam.
 struct RayHit {
-  float range_m = 0.0F;              ///< > 0 where the beam met the seafloor from above, else 0
-  float nx = 0, ny = 0, nz = 0;      ///< unit normal there, nz >= 0
+  float range_m = 0.0F;          ///< > 0 where the beam met the seafloor from above, else 0
+  float nx = 0, ny = 0, nz = 0;  ///< unit normal there, nz >= 0
 };
 
 /// The seafloor as an Embree scene: robust flags, local origin, packets of 16 coherent rays.
@@ -35,8 +35,11 @@ class RayScene {
   void trace(const Vec3& origin, std::span<const Eigen::Vector3f> directions,
              std::span<RayHit> hits) const;
 
- private:
   struct Impl;
+  /// For the scorer, which traces whole fans without copying (ray_scene_internal.h).
+  [[nodiscard]] const Impl& impl() const { return *impl_; }
+
+ private:
   std::unique_ptr<Impl> impl_;
 };
 

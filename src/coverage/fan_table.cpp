@@ -1,0 +1,39 @@
+#include <cmath>
+
+#include "coverage/fan_table_internal.h"
+#include "coverage/ray_scene_internal.h"
+
+namespace swathplan {
+
+FanTable::FanTable(const Sonar& sonar, const FanAngles& fan_angles) : fan(fan_angles) {
+  const std::vector<double> angles = beam_angles_rad(sonar, fan_angles);
+  beams = angles.size();
+  padded = (beams + kPacket - 1) / kPacket * kPacket;
+  sine.assign(padded, 0.0F);
+  cosine.assign(padded, 1.0F);
+  step.assign(padded, 0.0F);
+  for (std::size_t i = 0; i < beams; ++i) {
+    sine[i] = static_cast<float>(std::sin(angles[i]));
+    cosine[i] = static_cast<float>(std::cos(angles[i]));
+    if (i > 0) step[i] = static_cast<float>(angles[i] - angles[i - 1]);
+  }
+  if (beams > 1) step[0] = step[1];
+}
+
+const FanTable& FanTableCache::get(const FanAngles& fan) {
+  if (last_ < tables_.size() && tables_[last_].fan == fan) return tables_[last_];
+  for (last_ = 0; last_ < tables_.size(); ++last_) {
+    if (tables_[last_].fan == fan) return tables_[last_];
+  }
+  if (tables_.size() < kKept) {
+    tables_.emplace_back(*sonar_, fan);
+    last_ = tables_.size() - 1;
+  } else {
+    last_ = oldest_;
+    oldest_ = (oldest_ + 1) % kKept;
+    tables_[last_] = FanTable(*sonar_, fan);
+  }
+  return tables_[last_];
+}
+
+}  // namespace swathplan

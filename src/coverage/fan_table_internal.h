@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "coverage/sonar.h"
+
+namespace swathplan {
+
+/// A fan's beams in its own plane, in structure-of-arrays form: sine and cosine of each beam's
+/// angle from nadir (starboard positive) and the angles to its neighbours, padded to whole packets.
+class FanTable {
+ public:
+  FanTable(const Sonar& sonar, const FanAngles& fan);
+
+  FanAngles fan;
+  std::size_t beams = 0, padded = 0;
+  std::vector<float> sine, cosine;
+  std::vector<float> step;  ///< step[i]: radians between beams i - 1 and i; step[0] = step[1]
+};
+
+/// The tables of the last few fans used; a route by depth regions needs a handful.
+class FanTableCache {
+ public:
+  explicit FanTableCache(const Sonar& sonar) : sonar_(&sonar) {}
+  /// Valid until the next call.
+  const FanTable& get(const FanAngles& fan);
+
+ private:
+  static constexpr std::size_t kKept = 8;
+  const Sonar* sonar_;
+  std::vector<FanTable> tables_;
+  std::size_t last_ = 0, oldest_ = 0;
+};
+
+}  // namespace swathplan

@@ -1,0 +1,173 @@
+#include <cmath>
+
+#include "coverage/ping_tracer_internal.h"
+#include "coverage/ray_scene_internal.h"
+
+namespace swathplan {
+
+namespace {
+
+constexpr std::int32_t kNoStrip = -1;
+
+// The fan's plane in the world: starboard is the course turned clockwise by a right angle.
+struct FanPose {
+  float starboard_x, starboard_y;
+  float cos_roll, sin_roll;
+};
+
+FanPose fan_pose(const Ping& ping) {
+  return {static_cast<float>(ping.course.y()), static_cast<float>(-ping.course.x()),
+          static_cast<float>(cos(ping.roll)), static_cast<float>(sin(ping.roll))};
+}
+
+// Unit directions of all beams. With the starboard side down by the roll, the fan swings to port:
+// the sine becomes that of (angle - roll). `across` keeps it for the way back to the plane.
+SWATHPLAN_EVERY_CPU
+void aim(std::size_t n, const FanPose& pose, const float* sine, const float* cosine, float* across,
+         float* dx, float* dy, float* dz) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const float s = sine[i] * pose.cos_roll - cosine[i] * pose.sin_roll;
+    const float c = cosine[i] * pose.cos_roll + sine[i] * pose.sin_roll;
+    across[i] = s;
+    dx[i] = s * pose.starboard_x;
+    dy[i] = s * pose.starboard_y;
+    dz[i] = -c;
+  }
+}
+
+// Where the boat is, in cells: the whole cells apart, so that floats are enough for the rest.
+struct CellFrame {
+  std::int32_t column, row;  // of the boat
+  float x, y;                // within that cell, [0, 1)
+  float per_x, per_y;        // cells per metre to starboard
+  std::int32_t columns, rows;
+};
+
+std::int32_t whole(double cells) {
+  // Beyond this no sounding of any sonar comes back into the grid.
+  constexpr double kFar = 1e9;
+  return static_cast<std::int32_t>(std::clamp(std::floor(cells), -kFar, kFar));
+}
+
+CellFrame cell_frame(const Ping& ping, const FanPose& pose, const CoverageGrid& grid) {
+  const Vec2 at = (ping.position - grid.origin()) / grid.resolution_m();
+  CellFrame frame{};
+  frame.column = whole(at.x());
+  frame.row = whole(at.y());
+  frame.x = static_cast<float>(at.x() - frame.column);
+  frame.y = static_cast<float>(at.y() - frame.row);
+  const auto per_metre = static_cast<float>(1.0 / grid.resolution_m());
+  frame.per_x = pose.starboard_x * per_metre;
+  frame.per_y = pose.starboard_y * per_metre;
+  frame.columns = static_cast<std::int32_t>(grid.columns());
+  frame.rows = static_cast<std::int32_t>(grid.rows());
+  return frame;
+}
+
+inline std::int32_t floor_to_int(float x) {
+  const auto i = static_cast<std::int32_t>(x);
+  return i - static_cast<std::int32_t>(x < static_cast<float>(i));
+}
+
+// Distance to starboard, cell and strip of rows of each sounding; strip kNoStrip for none.
+SWATHPLAN_EVERY_CPU
+void to_cells(std::size_t n, const CellFrame& frame, const float* range, const float* across,
+              float* starboard, std::uint32_t* cell, std::int32_t* strip) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const float v = range[i] * across[i];
+    starboard[i] = v;
+    const std::int32_t column = frame.column + floor_to_int(frame.x + v * frame.per_x);
+    const std::int32_t row = frame.row + floor_to_int(frame.y + v * frame.per_y);
+    const bool inside = (range[i] > 0.0F) & (column >= 0) & (column < frame.columns) & (row >= 0) &
+                        (row < frame.rows);
+    cell[i] = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(frame.columns) +
+              static_cast<std::uint32_t>(column);
+    strip[i] = inside ? row >> kStripShift : kNoStrip;
+  }
+}
+
+void split_into_runs(std::size_t n, const std::int32_t* strip, std::uint32_t first,
+                     const Ping& ping, BlockTrace& block) {
+  for (std::size_t i = 0; i < n;) {
+    std::size_t end = i + 1;
+    while (end < n && strip[end] == strip[i]) ++end;
+    if (strip[i] != kNoStrip) {
+      block.runs[static_cast<std::uint32_t>(strip[i]) % kBands].push_back(
+          {first + static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end - i), ping.leg,
+           ping.log});
+    }
+    i = end;
+  }
+}
+
+// The leg field of a cell after a sounding of the leg `code` (1..1022).
+inline std::uint32_t with_leg(std::uint32_t word, std::uint32_t code) {
+  const std::uint32_t field = word >> CoverageGrid::kLegShift;
+  const std::uint32_t now = (field == 0) | (field == code) ? code : CoverageGrid::kLegMask;
+  return (word & ((1U << CoverageGrid::kLegShift) - 1U)) | now << CoverageGrid::kLegShift;
+}
+
+inline std::uint32_t count_sounding(std::uint32_t word, std::uint32_t code, std::uint32_t log) {
+  const std::uint32_t count = word & CoverageGrid::kCountMask;
+  const std::uint32_t logged = (word >> CoverageGrid::kLoggedShift) & 7U;
+  word += static_cast<std::uint32_t>(count != CoverageGrid::kCountMask);
+  word += (log & static_cast<std::uint32_t>(logged != 7U)) << CoverageGrid::kLoggedShift;
+  return with_leg(word, code);
+}
+
+}  // namespace
+
+PingTracer::PingTracer(const RayScene& scene, const Sonar& sonar, double draft_m,
+                       const CoverageGrid& grid)
+    : scene_(&scene), sonar_(&sonar), draft_(draft_m), grid_(&grid), tables_(sonar) {}
+
+void PingTracer::trace(std::span<const Ping> pings, BlockTrace& block) {
+  block.cells.clear();
+  for (auto& runs : block.runs) runs.clear();
+  block.rays = 0;
+  for (const Ping& ping : pings) trace_ping(ping, block);
+}
+
+void PingTracer::trace_ping(const Ping& ping, BlockTrace& block) {
+  const FanTable& table = tables_.get(ping.fan);
+  const std::size_t n = table.padded;
+  floats_.resize(9 * n);
+  strips_.resize(n);
+  const auto column = [&](std::size_t k) { return floats_.data() + k * n; };
+  float* const across = column(0);
+  const FanPose pose = fan_pose(ping);
+  aim(n, pose, table.sine.data(), table.cosine.data(), across, column(1), column(2), column(3));
+
+  const Vec3 origin(ping.position.x(), ping.position.y(), ping.heave_m - draft_);
+  const FanBeams beams{table.beams, n, column(1), column(2), column(3)};
+  const FanHits hits{column(4), column(5), column(6), column(7)};
+  trace_fan(scene_->impl(), origin, beams, static_cast<float>(sonar_->max_range_m), hits);
+
+  const auto first = static_cast<std::uint32_t>(block.cells.size());
+  block.cells.resize(block.cells.size() + n);
+  to_cells(n, cell_frame(ping, pose, *grid_), hits.range, across, column(8),
+           block.cells.data() + first, strips_.data());
+  split_into_runs(table.beams, strips_.data(), first, ping, block);
+  block.rays += table.beams;
+}
+
+std::uint64_t count_band(std::span<const BlockTrace> blocks, std::uint32_t band,
+                         CoverageGrid& grid) {
+  std::uint64_t soundings = 0;
+  std::uint32_t* const words = grid.words().data();
+  for (const BlockTrace& block : blocks) {
+    for (const CellRun& run : block.runs[band]) {
+      const std::uint32_t code = run.leg % (CoverageGrid::kLegMask - 1U) + 1U;
+      const std::uint32_t log = run.log ? 1U : 0U;
+      for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+        std::uint32_t& word = words[block.cells[i]];
+        if ((word & CoverageGrid::kInArea) == 0) continue;
+        word = count_sounding(word, code, log);
+        ++soundings;
+      }
+    }
+  }
+  return soundings;
+}
+
+}  // namespace swathplan
