@@ -39,8 +39,12 @@ struct DepthRegionOptions {
 /// slivers. Method: [larrazabal-mdnuc] section III.B.2.
 /// @throws UsageError for limits that are not ascending or hold no face of the mesh between them
 ///   and their neighbours; the message names the band.
-[[nodiscard]] DepthRegions depth_regions(const PlanarMesh& mesh, const Seafloor& seafloor,
+[[nodiscard]] DepthRegions depth_regions(const PlanarMesh& mesh,
+                                         const std::vector<SharedEdge>& edges,
                                          const DepthQuery& depths,
                                          const DepthRegionOptions& options);
+
+/// The faces of a region, united.
+[[nodiscard]] Area region_outline(const PlanarMesh& mesh, const DepthRegion& region);
 
 }  // namespace swathplan

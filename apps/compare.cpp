@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/commands.h"
+#include "apps/outputs.h"
+#include "io/atomic_file.h"
+#include "io/score_json.h"
+#include "mesh/error.h"
+
+namespace swathplan {
+namespace {
+
+struct CompareCommand {
+  SiteOptions site;
+  SurveyOptions survey;
+  OutputOptions output;
+  std::vector<std::string> planners;
+};
+
+void run(const CompareCommand& command) {
+  std::vector<const Planner*> chosen;
+  for (const std::string& name : command.planners) chosen.push_back(&planner(name));
+  if (chosen.empty()) throw UsageError("--planners: name at least one planner");
+  static_cast<void>(plan_options(command.survey, {}));
+  static_cast<void>(score_options(command.survey));
+  const auto site = load_site(command.site, vehicle_of(command.survey));
+  print_notes(*site, command.output.quiet);
+  const Provenance provenance =
+      provenance_of("compare", command.site, command.survey, site->imported.input_hash);
+  const std::filesystem::path& folder = command.output.folder;
+  std::vector<PlannedSurvey> surveys;
+  auto json = nlohmann::ordered_json::array();
+  {
+    const Scorer scorer(*site, command.survey, command.output.quiet);
+    for (const Planner* p : chosen) {
+      surveys.push_back(plan_and_score(*p, *site, command.survey, scorer));
+      const PlannedSurvey& survey = surveys.back();
+      write_survey(folder / survey.planner, survey, *site, command.survey, provenance);
+      json.push_back(nlohmann::ordered_json::parse(
+          score_json(survey.planner, survey.scored.score, provenance)));
+      for (const std::string& note : survey.plan.notes) {
+        if (!command.output.quiet) fmt::print(stderr, "note: {}: {}\n", survey.label, note);
+      }
+    }
+  }
+  write_text_atomically(folder / "compare.json", json.dump(2) + "\n");
+  write_survey_report(folder / "report.html", command.site.file.filename().string(), surveys, *site,
+                      provenance);
+  if (command.output.json) {
+    fmt::print("{}\n", json.dump(2));
+  } else if (!command.output.quiet) {
+    fmt::print("{}report: {}\n", table(surveys), (folder / "report.html").string());
+  }
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app) {
+  auto* sub = app.add_subcommand("compare", "Plan with several planners: one table, one report");
+  auto command = std::make_shared<CompareCommand>();
+  for (const Planner& p : planners()) command->planners.push_back(p.name);
+  add_site_options(*sub, command->site);
+  sub->add_option("--planners", command->planners, "Names, separated by commas")
+      ->delimiter(',')
+      ->capture_default_str();
+  add_planning_options(*sub, command->survey);
+  add_scoring_options(*sub, command->survey);
+  add_output_options(*sub, command->output);
+  sub->callback([command] { run(*command); });
+}
+
+}  // namespace swathplan

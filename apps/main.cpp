@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "apps/commands.h"
+#include "mesh/error.h"
+
+namespace {
+
+constexpr int kDataError = 1;
+constexpr int kUsageError = 2;
+
+int complain(const char* what, int code) {
+  fmt::print(stderr, "swathplan: {}\n", what);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Offline hydrographic survey designer: plans routes and predicts their coverage."};
+  app.set_version_flag("--version", SWATHPLAN_VERSION);
+  app.require_subcommand(1);
+  swathplan::add_inspect_command(app);
+  swathplan::add_synth_command(app);
+  swathplan::add_plan_command(app);
+  swathplan::add_compare_command(app);
+  swathplan::add_score_command(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : kUsageError;
+  } catch (const swathplan::UsageError& e) {
+    return complain(e.what(), kUsageError);
+  } catch (const std::bad_alloc&) {
+    return complain("not enough memory; use a coarser --resolution or a smaller --area",
+                    kDataError);
+  } catch (const std::exception& e) {
+    return complain(e.what(), kDataError);
+  }
+  return 0;
+}

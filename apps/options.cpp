@@ -1,0 +1,381 @@
+#include "apps/options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "mesh/error.h"
+
+namespace swathplan {
+namespace {
+
+double number(const std::string& text, const char* option) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) {
+    throw UsageError(fmt::format("{}: '{}' is not a number", option, text));
+  }
+  return value;
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t from = 0;
+  for (;;) {
+    const std::size_t to = text.find(separator, from);
+    parts.push_back(text.substr(from, to - from));
+    if (to == std::string::npos) return parts;
+    from = to + 1;
+  }
+}
+
+double z_unit_m(const std::string& text) {
+  if (text == "metre" || text == "meter" || text == "m") return 1.0;
+  if (text == "foot" || text == "ft") return 0.3048;
+  if (text == "us-foot") return 1200.0 / 3937.0;
+  if (text == "fathom") return 1.8288;
+  const double value = number(text, "--z-unit");
+  if (!(value > 0.0)) {
+    throw UsageError(
+        fmt::format("--z-unit {}; must be metre, foot, us-foot, fathom or a number "
+                    "of metres above 0",
+                    text));
+  }
+  return value;
+}
+
+/// '4': so many equal bands; '10,20' or '15.0': the depths between them.
+DepthBands bands(const std::string& text) {
+  DepthBands result;
+  if (text.find_first_of(",.") == std::string::npos) {
+    const double count = number(text, "--depth-bands");
+    if (!(count >= 1.0 && count <= 100.0) || count != std::floor(count)) {
+      throw UsageError(fmt::format(
+          "--depth-bands {}; must be a whole number of 1 to 100 equal bands, or depths as in "
+          "'10,20' ('15.0' for a single one)",
+          text));
+    }
+    result.count = static_cast<int>(count);
+    return result;
+  }
+  for (const std::string& part : split(text, ',')) {
+    if (part.empty()) continue;
+    result.limits.push_back(number(part, "--depth-bands"));
+    const std::size_t n = result.limits.size();
+    if (!(result.limits.back() > 0.0) ||
+        (n > 1 && !(result.limits[n - 1] > result.limits[n - 2]))) {
+      throw UsageError(fmt::format(
+          "--depth-bands {}; the depths between bands must be above 0 metres and ascending", text));
+    }
+  }
+  if (result.limits.empty()) {
+    throw UsageError("--depth-bands: no depth given; write '10,20' or a number of bands");
+  }
+  return result;
+}
+
+Vec2 start_point(const std::string& text, const Frame& frame) {
+  const auto parts = split(text, ',');
+  if (parts.size() != 2) {
+    throw UsageError(fmt::format(
+        "--start '{}'; must be X,Y in the coordinates of the seafloor file, as in '150,20'", text));
+  }
+  return frame.to_local({number(parts[0], "--start"), number(parts[1], "--start")});
+}
+
+template <class T>
+void set_if(T& value, const std::optional<double>& given) {
+  if (given) value = *given;
+}
+
+void require(bool good, const char* option, double value, const char* rule) {
+  if (!good || !std::isfinite(value)) {
+    throw UsageError(fmt::format("{} {:g}; {}", option, value, rule));
+  }
+}
+
+template <class Presets>
+std::string names(const Presets& presets) {
+  std::vector<std::string> list;
+  for (const auto& preset : presets) list.push_back(preset.name);
+  return fmt::format("{}", fmt::join(list, ", "));
+}
+
+}  // namespace
+
+void add_site_options(CLI::App& command, SiteOptions& o) {
+  command.add_option("FILE", o.file, "Seafloor: mesh, grid or soundings")->required();
+  const std::string group = "Seafloor";
+  command.add_option("--crs", o.crs, "CRS of FILE, as EPSG:n or WKT, where it does not say")
+      ->group(group);
+  command
+      .add_option("--water-level", o.water_level, "Height of still water in FILE's datum, metres")
+      ->group(group);
+  command.add_option("--z-positive", o.z_positive, "Which way z counts in FILE: up or down")
+      ->check(CLI::IsMember({"up", "down"}))
+      ->group(group);
+  command
+      .add_option("--z-unit", o.z_unit,
+                  "Unit of z: metre, foot, us-foot, fathom or metres in one unit")
+      ->group(group);
+  command
+      .add_option("--xy-unit", o.xy_unit_m,
+                  "Metres in one horizontal unit, where the CRS does not say")
+      ->group(group);
+  command
+      .add_option("--longest-edge", o.longest_edge_m,
+                  "Soundings: leave out triangles with a longer edge, metres")
+      ->group(group);
+  command.add_option("--nodata-value", o.nodata_value, "A further z that means 'no data'")
+      ->group(group);
+  command
+      .add_option("--area", o.area, "Survey only inside these polygons (GeoJSON, GeoPackage, ...)")
+      ->group(group);
+  command.add_option("--no-go", o.no_go, "Never enter these polygons")->group(group);
+}
+
+void add_scoring_options(CLI::App& command, SurveyOptions& o) {
+  const std::string group = "Sonar, vehicle and scoring";
+  command.add_option("--resolution", o.resolution_m, "Side of a scoring cell, metres")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--ping-spacing", o.ping_spacing_m, "Path length between pings, metres")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--sonar", o.sonar, "Sonar preset: " + names(sonar_presets()))
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--beams", o.beams, "Beams in a fan; overrides the preset")->group(group);
+  command.add_option("--max-opening", o.max_opening_deg, "Largest full opening angle, degrees")
+      ->group(group);
+  command.add_option("--beam-spacing", o.beam_spacing, "equiangular or equidistant")
+      ->check(CLI::IsMember({"equiangular", "equidistant"}))
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--vehicle", o.vehicle, "Vehicle preset: " + names(vehicle_presets()))
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--draft", o.draft_m, "Draft and depth of the sonar, metres")->group(group);
+  command.add_option("--margin", o.margin_m, "Water wanted below the keel, metres")->group(group);
+  command.add_option("--speed", o.speed_mps, "Speed on lines, m/s")->group(group);
+  command.add_option("--nodata", o.nodata, "What beams meet beyond the data: wall or open")
+      ->check(CLI::IsMember({"wall", "open"}))
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--noise", o.noise,
+                  "Tracking errors: none, calm (0.3 m, 2 deg) or rough (1 m, 4 deg)")
+      ->check(CLI::IsMember({"none", "calm", "rough"}))
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--lateral-sigma", o.lateral_sigma_m, "Cross-track error, metres")
+      ->group(group);
+  command.add_option("--heading-sigma", o.heading_sigma_deg, "Heading error, degrees")
+      ->group(group);
+  command.add_option("--roll-sigma", o.roll_sigma_deg, "Roll that is not compensated, degrees")
+      ->group(group);
+  command.add_option("--heave-sigma", o.heave_sigma_m, "Heave, metres")->group(group);
+  command.add_option("--holiday", o.holiday_m2, "List holidays of at least this, square metres")
+      ->capture_default_str()
+      ->group(group);
+  command.add_flag("--hit-only", o.hit_only, "Leave out the footprint score (faster)")
+      ->group(group);
+  command.add_option("--seed", o.seed, "Seed of the tracking errors")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--threads", o.threads, "Threads; 0: all cores (results do not depend on it)")
+      ->capture_default_str()
+      ->group(group);
+}
+
+void add_planning_options(CLI::App& command, SurveyOptions& o) {
+  const std::string group = "Planning";
+  command
+      .add_option("--depth-bands", o.depth_bands,
+                  "Depth bands: a number of equal ones, or the depths between them (10,20)")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option(
+          "--smallest-region", o.smallest_region_m2,
+          "Depth regions under this join a neighbour, square metres (default: half a face square)")
+      ->group(group);
+  command.add_option("--face-size", o.face_size, "Hypotenuse of a mesh face, as a share of W")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--opening", o.opening,
+                  "Opening angle by depth region, or by ping from the depth below")
+      ->check(CLI::IsMember({"region", "ping"}))
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--start", o.start, "Begin near X,Y (coordinates of FILE)")->group(group);
+  command
+      .add_option("--heading", o.heading_deg,
+                  "Azimuth of straight lines, degrees (default: the one with the fewest lines)")
+      ->group(group);
+}
+
+void add_output_options(CLI::App& command, OutputOptions& o) {
+  command.add_option("-o,--output", o.folder, "Folder for the results")->capture_default_str();
+  command.add_flag("--json", o.json, "Print the results as JSON");
+  command.add_flag("--quiet", o.quiet, "Print nothing but errors");
+}
+
+ImportOptions import_options(const SiteOptions& o) {
+  ImportOptions result;
+  result.crs = o.crs;
+  result.water_level_m = o.water_level;
+  result.z_positive =
+      o.z_positive == "down" ? ImportOptions::ZPositive::down : ImportOptions::ZPositive::up;
+  result.z_unit_m = z_unit_m(o.z_unit);
+  result.xy_unit_m = o.xy_unit_m;
+  result.longest_edge_m = o.longest_edge_m;
+  result.nodata = o.nodata_value;
+  return result;
+}
+
+Sonar sonar_of(const SurveyOptions& o) {
+  const auto preset = sonar_preset(o.sonar);
+  if (!preset) {
+    throw UsageError(fmt::format("--sonar {}: no such preset; choose one of {}", o.sonar,
+                                 names(sonar_presets())));
+  }
+  Sonar sonar = *preset;
+  if (o.beams) sonar.beams = *o.beams;
+  if (sonar.beams < 2 || sonar.beams > 100000) {
+    throw UsageError(fmt::format("--beams {}; must be 2 to 100000", sonar.beams));
+  }
+  if (o.max_opening_deg) {
+    require(*o.max_opening_deg > 0.0 && *o.max_opening_deg < 180.0, "--max-opening",
+            *o.max_opening_deg,
+            "must lie between 0 and 180 degrees, both excluded: a beam at 90 "
+            "degrees from nadir never meets the seafloor");
+    sonar.max_opening = Angle::degrees(*o.max_opening_deg);
+  }
+  sonar.spacing =
+      o.beam_spacing == "equidistant" ? BeamSpacing::equidistant : BeamSpacing::equiangular;
+  return sonar;
+}
+
+Vehicle vehicle_of(const SurveyOptions& o) {
+  const auto preset = vehicle_preset(o.vehicle);
+  if (!preset) {
+    throw UsageError(fmt::format("--vehicle {}: no such preset; choose one of {}", o.vehicle,
+                                 names(vehicle_presets())));
+  }
+  Vehicle vehicle = *preset;
+  set_if(vehicle.draft_m, o.draft_m);
+  set_if(vehicle.under_keel_margin_m, o.margin_m);
+  set_if(vehicle.speed_mps, o.speed_mps);
+  require(vehicle.draft_m >= 0.0, "--draft", vehicle.draft_m, "must be 0 metres or more");
+  require(vehicle.under_keel_margin_m >= 0.0, "--margin", vehicle.under_keel_margin_m,
+          "must be 0 metres or more");
+  require(vehicle.speed_mps > 0.0, "--speed", vehicle.speed_mps, "must be above 0 m/s");
+  return vehicle;
+}
+
+PlanOptions plan_options(const SurveyOptions& o, const Frame& frame) {
+  PlanOptions result;
+  result.sonar = sonar_of(o);
+  result.vehicle = vehicle_of(o);
+  require(o.resolution_m > 0.0, "--resolution", o.resolution_m, "must be above 0 metres");
+  result.resolution_m = o.resolution_m;
+  require(o.face_size > 0.0, "--face-size", o.face_size, "must be above 0");
+  result.face_size = o.face_size;
+  result.bands = bands(o.depth_bands);
+  result.smallest_region_m2 = o.smallest_region_m2;
+  result.opening = o.opening == "ping" ? Opening::ping : Opening::region;
+  if (!o.start.empty()) result.start = start_point(o.start, frame);
+  if (o.heading_deg) {
+    require(true, "--heading", *o.heading_deg, "must be a number of degrees");
+    result.heading = Angle::degrees(*o.heading_deg);
+  }
+  return result;
+}
+
+ScoreOptions score_options(const SurveyOptions& o) {
+  ScoreOptions result;
+  require(o.resolution_m > 0.0, "--resolution", o.resolution_m, "must be above 0 metres");
+  require(o.ping_spacing_m > 0.0, "--ping-spacing", o.ping_spacing_m, "must be above 0 metres");
+  require(o.holiday_m2 >= 0.0, "--holiday", o.holiday_m2, "must be 0 square metres or more");
+  if (o.threads < 0) throw UsageError(fmt::format("--threads {}; must be 0 or more", o.threads));
+  result.resolution_m = o.resolution_m;
+  result.ping_spacing_m = o.ping_spacing_m;
+  result.holiday_m2 = o.holiday_m2;
+  result.nodata = o.nodata == "open" ? Nodata::open : Nodata::wall;
+  result.footprint = !o.hit_only;
+  result.threads = o.threads;
+  result.noise.seed = o.seed;
+  if (o.noise == "calm" || o.noise == "rough") {
+    const bool calm = o.noise == "calm";
+    result.noise.lateral_sigma_m = calm ? 0.3 : 1.0;
+    result.noise.heading_sigma = Angle::degrees(calm ? 2.0 : 4.0);
+  }
+  set_if(result.noise.lateral_sigma_m, o.lateral_sigma_m);
+  set_if(result.noise.heave_sigma_m, o.heave_sigma_m);
+  if (o.heading_sigma_deg) result.noise.heading_sigma = Angle::degrees(*o.heading_sigma_deg);
+  if (o.roll_sigma_deg) result.noise.roll_sigma = Angle::degrees(*o.roll_sigma_deg);
+  const auto sigma = [](const char* option, double value) {
+    require(value >= 0.0, option, value, "must be 0 or more");
+  };
+  sigma("--lateral-sigma", result.noise.lateral_sigma_m);
+  sigma("--heading-sigma", result.noise.heading_sigma.deg());
+  sigma("--roll-sigma", result.noise.roll_sigma.deg());
+  sigma("--heave-sigma", result.noise.heave_sigma_m);
+  return result;
+}
+
+Provenance provenance_of(const std::string& command, const SiteOptions& site,
+                         const SurveyOptions& o, const std::string& input_hash) {
+  Provenance p;
+  p.version = SWATHPLAN_VERSION;
+  p.command = command;
+  p.input_file = site.file.filename().string();
+  p.input_hash = input_hash;
+  p.seed = o.seed;
+  const Vehicle vehicle = vehicle_of(o);
+  const Sonar sonar = sonar_of(o);
+  const ScoreOptions score = score_options(o);
+  const auto add = [&](const char* name, OptionValue value) {
+    p.options.emplace_back(name, std::move(value));
+  };
+  const auto file = [](const std::filesystem::path& path) { return path.filename().string(); };
+  add("crs", site.crs);
+  add("water_level_m", site.water_level);
+  add("z_positive", site.z_positive);
+  add("z_unit_m", z_unit_m(site.z_unit));
+  add("area_file", file(site.area));
+  add("no_go_file", file(site.no_go));
+  add("resolution_m", o.resolution_m);
+  add("ping_spacing_m", o.ping_spacing_m);
+  add("sonar", sonar.name);
+  add("beams", static_cast<std::int64_t>(sonar.beams));
+  add("beam_spacing", o.beam_spacing);
+  add("max_opening_deg", sonar.max_opening.deg());
+  add("vehicle", vehicle.name);
+  add("draft_m", vehicle.draft_m);
+  add("under_keel_margin_m", vehicle.under_keel_margin_m);
+  add("speed_mps", vehicle.speed_mps);
+  add("nodata", o.nodata);
+  add("lateral_sigma_m", score.noise.lateral_sigma_m);
+  add("heading_sigma_deg", score.noise.heading_sigma.deg());
+  add("roll_sigma_deg", score.noise.roll_sigma.deg());
+  add("heave_sigma_m", score.noise.heave_sigma_m);
+  add("holiday_m2", o.holiday_m2);
+  if (command != "score") {
+    add("depth_bands", o.depth_bands);
+    add("smallest_region_m2", o.smallest_region_m2.value_or(
+                                  0.5 * std::pow(o.face_size * sonar.beams * o.resolution_m, 2)));
+    add("face_size", o.face_size);
+    add("opening", o.opening);
+    add("start", o.start);
+    if (o.heading_deg) add("heading_deg", *o.heading_deg);
+  }
+  return p;
+}
+
+}  // namespace swathplan

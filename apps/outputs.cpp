@@ -1,0 +1,113 @@
+#include "apps/outputs.h"
+
+#include <fmt/format.h>
+
+#include "io/coverage_raster.h"
+#include "io/holidays_geojson.h"
+#include "io/inspection.h"
+#include "io/plan_json.h"
+#include "io/report/report.h"
+#include "io/route_csv.h"
+#include "io/route_geojson.h"
+#include "io/score_json.h"
+
+namespace swathplan {
+namespace {
+
+std::pair<Vec2, Vec2> ends(const Plan& plan, std::uint32_t edge) {
+  const SharedEdge& e = plan.edges[edge];
+  const auto& face = plan.mesh.faces[e.face[0]];
+  return {plan.mesh.vertices[face[e.edge[0]]],
+          plan.mesh.vertices[face[(e.edge[0] + 1) % face.size()]]};
+}
+
+std::vector<FanAngles> fans(const Plan& plan) {
+  std::vector<FanAngles> result;
+  for (const Angle opening : plan.openings) result.push_back({opening / 2.0, opening / 2.0});
+  return result;
+}
+
+/// The plan whose regions and gates the report draws: the last one that has gates, else regions.
+const Plan* plan_with_regions(const std::vector<PlannedSurvey>& surveys) {
+  const Plan* best = nullptr;
+  for (const PlannedSurvey& survey : surveys) {
+    const bool gates = !survey.plan.gates.gates.empty();
+    if (survey.plan.regions.regions.empty()) continue;
+    if (best == nullptr || gates) best = &survey.plan;
+  }
+  return best;
+}
+
+void add_regions(const Plan& plan, ReportSite& site) {
+  for (std::size_t r = 0; r < plan.regions.regions.size(); ++r) {
+    const DepthRegion& region = plan.regions.regions[r];
+    site.regions.push_back({region_outline(plan.mesh, region), region.band, region.mean_depth_m,
+                            plan.openings[r].deg()});
+  }
+  for (const Gate& gate : plan.gates.gates) site.gates.push_back(ends(plan, gate.edge));
+  for (const std::uint32_t edge : plan.gates.blocked_edges)
+    site.blocked_edges.push_back(ends(plan, edge));
+}
+
+}  // namespace
+
+void write_survey(const std::filesystem::path& folder, const PlannedSurvey& survey,
+                  const Site& site, const SurveyOptions& options, const Provenance& provenance) {
+  const Frame& frame = site.seafloor().frame;
+  write_route_csv(folder / "route.csv", survey.plan.route, frame);
+  write_route_geojson(folder, survey.plan.route, frame);
+  write_score_json(folder / "score.json", survey.planner, survey.scored.score, provenance);
+  PlanFacts facts = plan_facts(survey.planner, survey.plan.mesh, survey.plan.edges,
+                               survey.plan.regions, survey.plan.gates, fans(survey.plan));
+  facts.sonar = sonar_of(options);
+  facts.vehicle = vehicle_of(options);
+  facts.notes = survey.plan.notes;
+  write_plan_json(folder / "plan.json", facts, frame, provenance);
+  write_coverage_tif(folder / "coverage.tif", survey.scored.grid, frame);
+  write_coverage_png(folder / "coverage.png", survey.scored.grid, survey.label);
+  write_holidays_geojson(folder, survey.scored.score.holidays, frame);
+}
+
+void write_survey_report(const std::filesystem::path& file, const std::string& title,
+                         const std::vector<PlannedSurvey>& surveys, const Site& site,
+                         const Provenance& provenance) {
+  ReportSite report;
+  report.title = title;
+  report.seafloor = &site.seafloor();
+  report.depths = site.depths.get();
+  report.survey_area = site.survey_area;
+  report.water = site.water;
+  report.no_go = site.no_go;
+  report.provenance = provenance;
+  if (const Plan* plan = plan_with_regions(surveys)) add_regions(*plan, report);
+  std::vector<ReportPlan> plans;
+  for (const PlannedSurvey& s : surveys) {
+    plans.push_back({s.label, &s.plan.route, &s.scored.score, &s.scored.grid, s.planning_seconds,
+                     s.plan.notes});
+  }
+  write_report(file, report, plans);
+}
+
+std::string table(const std::vector<PlannedSurvey>& surveys) {
+  std::string text = fmt::format("{:<16}{:>9}{:>9}{:>11}{:>9}{:>8}{:>9}{:>10}{:>10}{:>10}{:>8}\n",
+                                 "planner", "hit %", "logged %", "footpr. %", "length m", "ratio",
+                                 "overlap", "turns", "holidays", "outside m", "hours");
+  for (const PlannedSurvey& s : surveys) {
+    const Score& score = s.scored.score;
+    text += fmt::format(
+        "{:<16}{:>9.2f}{:>9.2f}{:>11.2f}{:>9.0f}{:>8.2f}{:>9.2f}{:>10}{:>10}{:>10.1f}{:>8.2f}\n",
+        s.label, score.all.hit_pct, score.logged.hit_pct, score.all.footprint_pct,
+        score.route.length_m, score.route.length_ratio, score.overlap, score.route.turns,
+        score.holidays.list.size(), score.route.outside_water_m, score.route.duration_s / 3600.0);
+  }
+  return text;
+}
+
+void print_notes(const Site& site, bool quiet) {
+  if (quiet) return;
+  for (const std::string& note : site.imported.notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& warning : warnings_of(site.imported))
+    fmt::print(stderr, "warning: {}\n", warning);
+}
+
+}  // namespace swathplan

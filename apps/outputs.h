@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/run.h"
+
+namespace swathplan {
+
+/// Writes route, score, plan, coverage and holidays of one survey into `folder`.
+void write_survey(const std::filesystem::path& folder, const PlannedSurvey& survey,
+                  const Site& site, const SurveyOptions& options, const Provenance& provenance);
+
+/// Writes the report over one or several surveys.
+void write_survey_report(const std::filesystem::path& file, const std::string& title,
+                         const std::vector<PlannedSurvey>& surveys, const Site& site,
+                         const Provenance& provenance);
+
+/// The table that `plan`, `compare` and `score` print.
+[[nodiscard]] std::string table(const std::vector<PlannedSurvey>& surveys);
+
+/// Import notes and warnings to stderr.
+void print_notes(const Site& site, bool quiet);
+
+}  // namespace swathplan

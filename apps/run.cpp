@@ -1,0 +1,69 @@
+#include "apps/run.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+
+#include "apps/progress.h"
+#include "mesh/error.h"
+#include "planners/back_and_forth.h"
+#include "planners/mdnuc.h"
+#include "planners/multi_depth.h"
+#include "planners/nuc.h"
+
+namespace swathplan {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+const std::vector<Planner>& planners() {
+  static const std::vector<Planner> list{
+      {"back-and-forth", "B&F", plan_back_and_forth},
+      {"multi-depth", "MDB&F", plan_multi_depth},
+      {"nuc", "NUC", plan_nuc},
+      {"mdnuc", "MDNUC", plan_mdnuc},
+  };
+  return list;
+}
+
+const Planner& planner(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Planner& p : planners()) {
+    if (p.name == name) return p;
+    names.push_back(p.name);
+  }
+  throw UsageError(
+      fmt::format("'{}' is not a planner; choose one of {}", name, fmt::join(names, ", ")));
+}
+
+Scorer::Scorer(const Site& site, const SurveyOptions& options, bool quiet)
+    : options_(&options),
+      score_options_(score_options(options)),
+      scene_(site.seafloor(), score_options_.nodata),
+      ground_{&site.seafloor(), site.depths.get(), &scene_, site.survey_area, site.water},
+      quiet_(quiet) {}
+
+ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
+  ProgressBar bar(label, quiet_);
+  ScoreOptions options = score_options_;
+  options.progress = [&](double share, std::uint64_t rays) { bar.show(share, rays); };
+  return swathplan::score(route, ground_, sonar_of(*options_), vehicle_of(*options_), options);
+}
+
+PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const SurveyOptions& options,
+                             const Scorer& scorer) {
+  const auto start = std::chrono::steady_clock::now();
+  Plan plan = planner.plan(site.planning_ground(), plan_options(options, site.seafloor().frame));
+  const double planning = seconds_since(start);
+  const auto planned = std::chrono::steady_clock::now();
+  ScoredRoute scored = scorer.score(planner.label, plan.route);
+  return {planner.name,      planner.label, std::move(plan),
+          std::move(scored), planning,      seconds_since(planned)};
+}
+
+}  // namespace swathplan

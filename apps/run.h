@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/site.h"
+#include "coverage/score.h"
+#include "planners/plan.h"
+
+namespace swathplan {
+
+/// A planner's name and function; the one list that `plan` and `compare` know.
+struct Planner {
+  std::string name, label;
+  Plan (*plan)(const PlanningGround&, const PlanOptions&);
+};
+[[nodiscard]] const std::vector<Planner>& planners();
+/// @throws UsageError for a name that is none, listing those that are.
+[[nodiscard]] const Planner& planner(const std::string& name);
+
+/// A plan that was made and scored.
+struct PlannedSurvey {
+  std::string planner, label;
+  Plan plan;
+  ScoredRoute scored;
+  double planning_seconds = 0.0, scoring_seconds = 0.0;
+};
+
+/// What routes of one command are scored on, built once.
+class Scorer {
+ public:
+  Scorer(const Site& site, const SurveyOptions& options, bool quiet);
+  [[nodiscard]] ScoredRoute score(const std::string& label, const Route& route) const;
+
+ private:
+  const SurveyOptions* options_;
+  ScoreOptions score_options_;
+  RayScene scene_;
+  ScoringGround ground_;
+  bool quiet_;
+};
+
+[[nodiscard]] PlannedSurvey plan_and_score(const Planner& planner, const Site& site,
+                                           const SurveyOptions& options, const Scorer& scorer);
+
+}  // namespace swathplan

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/outputs.h"
+#include "io/read_route.h"
+#include "io/score_json.h"
+#include "mesh/error.h"
+
+namespace swathplan {
+namespace {
+
+struct ScoreCommand {
+  SiteOptions site;
+  SurveyOptions survey;
+  OutputOptions output;
+  std::filesystem::path route;
+  std::optional<double> opening_deg;
+};
+
+/// The fan for routes that do not say: --opening-angle, else W at the mean depth.
+FanAngles default_fan(const ScoreCommand& command, const Site& site) {
+  if (command.opening_deg) {
+    const double opening = *command.opening_deg;
+    if (!(opening > 0.0 && opening < 180.0)) {
+      throw UsageError(fmt::format(
+          "--opening-angle {:g}; must lie between 0 and 180 degrees, both excluded", opening));
+    }
+    return {Angle::degrees(opening / 2.0), Angle::degrees(opening / 2.0)};
+  }
+  return fan_for_depth(plan_options(command.survey, {}), depth_range(site.seafloor()).mean);
+}
+
+void run(const ScoreCommand& command) {
+  static_cast<void>(score_options(command.survey));
+  const auto site = load_site(command.site, vehicle_of(command.survey));
+  print_notes(*site, command.output.quiet);
+  const Provenance provenance =
+      provenance_of("score", command.site, command.survey, site->imported.input_hash);
+  const ImportedRoute route = read_route(
+      command.route, site->seafloor().frame,
+      {.fan = default_fan(command, *site), .speed_mps = vehicle_of(command.survey).speed_mps});
+  Plan plan;
+  plan.route = route.route;
+  plan.notes = route.notes;
+  const Scorer scorer(*site, command.survey, command.output.quiet);
+  ScoredRoute scored = scorer.score("score", plan.route);
+  std::vector<PlannedSurvey> surveys;
+  const std::string name = command.route.filename().string();
+  surveys.push_back({"given", name, std::move(plan), std::move(scored), 0.0, 0.0});
+  const std::filesystem::path& folder = command.output.folder;
+  write_survey(folder, surveys[0], *site, command.survey, provenance);
+  write_survey_report(folder / "report.html",
+                      fmt::format("{}: {}", command.site.file.filename().string(), name), surveys,
+                      *site, provenance);
+  for (const std::string& note : route.notes) {
+    if (!command.output.quiet) fmt::print(stderr, "note: {}\n", note);
+  }
+  if (command.output.json) {
+    fmt::print("{}", score_json("given", surveys[0].scored.score, provenance));
+  } else if (!command.output.quiet) {
+    fmt::print("{}report: {}\n", table(surveys), (folder / "report.html").string());
+  }
+}
+
+}  // namespace
+
+void add_score_command(CLI::App& app) {
+  auto* sub = app.add_subcommand("score", "Score any route.csv or GeoJSON line, ours or not");
+  auto command = std::make_shared<ScoreCommand>();
+  add_site_options(*sub, command->site);
+  sub->add_option("ROUTE", command->route, "route.csv, another CSV of points, or GeoJSON")
+      ->required();
+  sub->add_option(
+      "--opening-angle", command->opening_deg,
+      "Full opening angle where ROUTE has none, degrees (default: W at the mean depth)");
+  add_scoring_options(*sub, command->survey);
+  add_output_options(*sub, command->output);
+  sub->callback([command] { run(*command); });
+}
+
+}  // namespace swathplan

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+
+#include "apps/options.h"
+
+namespace swathplan {
+
+/// A loaded site: the seafloor, where to survey and where the boat may be.
+struct Site {
+  ImportedSeafloor imported;
+  std::unique_ptr<DepthQuery> depths;
+  Area survey_area, water, no_go;
+
+  [[nodiscard]] const Seafloor& seafloor() const { return imported.seafloor; }
+  [[nodiscard]] PlanningGround planning_ground() const {
+    return {&imported.seafloor, depths.get(), survey_area, water};
+  }
+};
+
+/// Imports the seafloor and the polygons and derives the areas for a vehicle.
+/// @throws InvalidInput, UsageError as the importers do.
+[[nodiscard]] std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehicle);
+
+}  // namespace swathplan

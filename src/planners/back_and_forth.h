@@ -1,0 +1,16 @@
+#pragma once
+
+#include "planners/plan.h"
+
+namespace swathplan {
+
+/// Lines stop this far before the outline, metres: a line that ends on a quay cannot be sailed.
+inline constexpr double kLineInset = 0.5;
+
+/// Back-and-forth (B&F), today's baseline: parallel lines at spacing W along one direction (the
+/// one with the fewest lines, or `heading`), one opening angle from the mean depth of the whole
+/// area. Turns and transits between lines stay in the water, ping, and are not logged.
+/// @throws UsageError for options out of range.
+[[nodiscard]] Plan plan_back_and_forth(const PlanningGround& ground, const PlanOptions& options);
+
+}  // namespace swathplan

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "planners/plan.h"
+
+namespace swathplan {
+
+/// A point of a NUC skeleton: the centroid of a sub-facet, or, where the straight way between two
+/// sub-facets would miss their shared half-edge, a point of that edge.
+struct SkeletonPoint {
+  Vec2 position = Vec2::Zero();
+  std::uint32_t face = 0;
+  std::uint32_t corner = 0;  ///< the sub-facet is the quad at this corner of the face
+  bool sub_facet = true;     ///< false for a point on an edge
+};
+
+/// A closed path through every sub-facet of one connected part of a mesh.
+using SkeletonCycle = std::vector<SkeletonPoint>;
+
+/// Non-revisiting uniform coverage: each n-gon facet is cut into n quads (corner, two edge
+/// midpoints, barycentre) whose centroids form a cycle; along a spanning tree of the facets a
+/// child's cycle is spliced into its parent's between the two quads that touch their shared edge.
+/// `open[i]`: whether the path may cross shared edge i; empty: all.
+/// Guarantees, for convex faces: (1) every sub-facet is visited once; (2) no cycle crosses itself;
+/// (3) no edge that is not open is crossed, a tree edge is crossed once in and once out; (4) one
+/// cycle per part that open edges connect, in the order of their lowest face.
+/// Degenerate: a single face gives its own cycle; an empty mesh none. Cost: O(n) time and memory
+/// (linked splice; the tree is found breadth-first).
+/// Method: [yang-nuc], [larrazabal-mdnuc] section III.A.
+[[nodiscard]] std::vector<SkeletonCycle> nuc_skeleton(const PlanarMesh& mesh,
+                                                      const std::vector<SharedEdge>& edges,
+                                                      const std::vector<char>& open = {});
+
+/// NUC on the whole survey area with one opening angle from its mean depth.
+[[nodiscard]] Plan plan_nuc(const PlanningGround& ground, const PlanOptions& options);
+
+/// Skeleton cycles -> route: each cycle opened at its point nearest to `start` (or to where the
+/// part before ended), parts joined by transits through the water. `fan[region]` is the fan of a
+/// region; `region_of` may be empty, then fan[0] holds everywhere.
+[[nodiscard]] Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
+                                   const std::vector<std::uint32_t>& region_of,
+                                   const std::vector<FanAngles>& fans, const PlanningGround& ground,
+                                   const PlanOptions& options, std::vector<std::string>& notes);
+
+}  // namespace swathplan

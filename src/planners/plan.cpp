@@ -1,0 +1,90 @@
+#include "planners/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/error.h"
+
+namespace swathplan {
+
+double footprint_width_m(const PlanOptions& options) {
+  return footprint_width_m(options.sonar, options.resolution_m);
+}
+
+void check(const PlanOptions& options) {
+  if (!(options.resolution_m > 0.0) || !std::isfinite(options.resolution_m)) {
+    throw UsageError(fmt::format("--resolution {}; must be above 0 metres", options.resolution_m));
+  }
+  if (options.sonar.beams < 2) {
+    throw UsageError(fmt::format("--beams {}; must be at least 2", options.sonar.beams));
+  }
+  const double opening = options.sonar.max_opening.deg();
+  if (!(opening > 0.0 && opening < 180.0)) {
+    throw UsageError(fmt::format("--max-opening {:g}; must lie in (0, 180) degrees", opening));
+  }
+  if (!(options.face_size > 0.0) || !std::isfinite(options.face_size)) {
+    throw UsageError(fmt::format("--face-size {}; must be above 0", options.face_size));
+  }
+  if (options.smallest_region_m2 && !(*options.smallest_region_m2 >= 0.0)) {
+    throw UsageError(fmt::format("--smallest-region {}; must be 0 or more square metres",
+                                 *options.smallest_region_m2));
+  }
+}
+
+PlanarMesh planning_mesh(const PlanningGround& ground, const PlanOptions& options) {
+  check(options);
+  return planar_mesh(ground.survey_area,
+                     {.hypotenuse_m = options.face_size * footprint_width_m(options)});
+}
+
+DepthRegions planning_regions(const PlanarMesh& mesh, const std::vector<SharedEdge>& edges,
+                              const PlanningGround& ground, const PlanOptions& options) {
+  const double width = footprint_width_m(options);
+  const double face = options.face_size * width;
+  return depth_regions(
+      mesh, edges, *ground.depths,
+      {.bands = options.bands,
+       .smallest_region_m2 = options.smallest_region_m2.value_or(0.5 * face * face)});
+}
+
+double mean_depth_m(const DepthRegions& regions) {
+  double volume = 0.0;
+  double area = 0.0;
+  for (const DepthRegion& region : regions.regions) {
+    volume += region.area_m2 * region.mean_depth_m;
+    area += region.area_m2;
+  }
+  return volume / std::max(area, 1e-12);
+}
+
+FanAngles fan_for_depth(const PlanOptions& options, double depth_m) {
+  const Angle half = half_angle(options.sonar, footprint_width_m(options), depth_m);
+  return {half, half};
+}
+
+Route opened_per_ping(const Route& route, const PlanningGround& ground, const PlanOptions& options,
+                      double step_m) {
+  Route result;
+  const auto& w = route.waypoints;
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    if (i + 1 == w.size() || !w[i].fan) {
+      result.waypoints.push_back(w[i]);
+      continue;
+    }
+    const Vec2 along = w[i + 1].position - w[i].position;
+    const auto parts = std::max(1, static_cast<int>(std::ceil(along.norm() / step_m)));
+    for (int k = 0; k < parts; ++k) {
+      Waypoint point = w[i];
+      point.position += along * (static_cast<double>(k) / parts);
+      const Vec2 middle = w[i].position + along * ((k + 0.5) / parts);
+      const auto depth = ground.depths->depth(middle);
+      point.fan = fan_for_depth(options, depth ? *depth : ground.depths->nearest_depth(middle));
+      result.waypoints.push_back(point);
+    }
+  }
+  return result;
+}
+
+}  // namespace swathplan

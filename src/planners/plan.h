@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coverage/route.h"
+#include "coverage/sonar.h"
+#include "coverage/vehicle.h"
+#include "mesh/depth_regions.h"
+#include "mesh/gates.h"
+#include "mesh/planar_mesh.h"
+#include "mesh/polygons.h"
+#include "mesh/seafloor.h"
+
+namespace swathplan {
+
+/// What every planner plans on. The seafloor and its query must outlive it.
+struct PlanningGround {
+  const Seafloor* seafloor = nullptr;
+  const DepthQuery* depths = nullptr;
+  Area survey_area;  ///< to be covered
+  Area water;        ///< where the boat may be; holds the survey area
+};
+
+/// How the fan opens along the way.
+enum class Opening {
+  region,  ///< one opening angle per depth region (or one for the whole route)
+  ping     ///< from the depth below the boat
+};
+
+struct PlanOptions {
+  Sonar sonar;
+  Vehicle vehicle;
+  double resolution_m = 0.10;
+  double face_size = 1.0;  ///< hypotenuse of a mesh face as a share of W, > 0
+  DepthBands bands;
+  /// Regions under this join a neighbour, m^2; empty: half a W x W square.
+  std::optional<double> smallest_region_m2;
+  Opening opening = Opening::region;
+  std::optional<Vec2> start;     ///< begin as near to this as the planner can
+  std::optional<Angle> heading;  ///< azimuth of the lines (B&F, MDB&F); empty: fewest lines
+};
+
+/// A route and the evidence of how it came about.
+struct Plan {
+  Route route;
+  PlanarMesh mesh;  ///< empty for planners without one
+  std::vector<SharedEdge> edges;
+  DepthRegions regions;  ///< empty without
+  Gates gates;
+  std::vector<Angle> openings;     ///< full opening angle per region, or one
+  std::vector<std::string> notes;  ///< one sentence each, for people
+};
+
+/// W = beams x resolution, metres.
+[[nodiscard]] double footprint_width_m(const PlanOptions& options);
+
+/// @throws UsageError that names the option, its value and the rule.
+void check(const PlanOptions& options);
+
+/// The mesh that NUC and MDNUC walk: the survey area in faces of `face_size` x W.
+[[nodiscard]] PlanarMesh planning_mesh(const PlanningGround& ground, const PlanOptions& options);
+
+/// Depth regions of the planning mesh with the options' bands and sliver size.
+[[nodiscard]] DepthRegions planning_regions(const PlanarMesh& mesh,
+                                            const std::vector<SharedEdge>& edges,
+                                            const PlanningGround& ground,
+                                            const PlanOptions& options);
+
+/// Plan-area-weighted mean depth of the survey area's seafloor, metres.
+[[nodiscard]] double mean_depth_m(const DepthRegions& regions);
+
+/// Symmetric fan that sweeps W at `depth_m`, capped by the sonar (2 atan(W/2 / depth) in all).
+[[nodiscard]] FanAngles fan_for_depth(const PlanOptions& options, double depth_m);
+
+/// Opens the fan anew each `step_m` of path from the depth below, so that it sweeps W everywhere.
+[[nodiscard]] Route opened_per_ping(const Route& route, const PlanningGround& ground,
+                                    const PlanOptions& options, double step_m = 1.0);
+
+}  // namespace swathplan
