@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/seafloor.h"
+
+namespace swathplan {
+
+/// One use of an undirected edge by a face: corner `corner` of `face` begins it.
+struct EdgeUse {
+  std::uint32_t low, high;  ///< its vertices, low < high
+  std::uint32_t face;
+  std::uint8_t corner;
+  bool ascends;  ///< the face runs from low to high
+};
+
+/// All edge uses of a triangle mesh, sorted by edge, then by face. O(n) for meshes of bounded
+/// valence: bucketed by the lower vertex.
+[[nodiscard]] std::vector<EdgeUse> edge_uses(const std::vector<Seafloor::Face>& faces,
+                                             std::size_t vertices);
+
+/// Calls `visit` with the uses of each edge in turn.
+template <class Visit>
+void for_each_edge(const std::vector<EdgeUse>& uses, Visit visit) {
+  for (std::size_t begin = 0; begin < uses.size();) {
+    std::size_t end = begin + 1;
+    while (end < uses.size() && uses[end].low == uses[begin].low &&
+           uses[end].high == uses[begin].high) {
+      ++end;
+    }
+    visit(std::span<const EdgeUse>(uses.data() + begin, end - begin));
+    begin = end;
+  }
+}
+
+}  // namespace swathplan
