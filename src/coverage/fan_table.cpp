@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "coverage/fan_table_internal.h"
@@ -18,6 +19,8 @@ FanTable::FanTable(const Sonar& sonar, const FanAngles& fan_angles) : fan(fan_an
     if (i > 0) step[i] = static_cast<float>(angles[i] - angles[i - 1]);
   }
   if (beams > 1) step[0] = step[1];
+  next_step.assign(padded, 0.0F);
+  for (std::size_t i = 0; i < beams; ++i) next_step[i] = step[std::min(i + 1, beams - 1)];
 }
 
 const FanTable& FanTableCache::get(const FanAngles& fan) {

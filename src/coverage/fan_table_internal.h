@@ -15,7 +15,8 @@ class FanTable {
   FanAngles fan;
   std::size_t beams = 0, padded = 0;
   std::vector<float> sine, cosine;
-  std::vector<float> step;  ///< step[i]: radians between beams i - 1 and i; step[0] = step[1]
+  std::vector<float> step;       ///< radians between beams i - 1 and i; at the ends as beside them
+  std::vector<float> next_step;  ///< radians between beams i and i + 1
 };
 
 /// The tables of the last few fans used; a route by depth regions needs a handful.

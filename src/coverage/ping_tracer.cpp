@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "coverage/ping_tracer_internal.h"
@@ -35,49 +36,37 @@ void aim(std::size_t n, const FanPose& pose, const float* sine, const float* cos
   }
 }
 
-// Where the boat is, in cells: the whole cells apart, so that floats are enough for the rest.
-struct CellFrame {
-  std::int32_t column, row;  // of the boat
-  float x, y;                // within that cell, [0, 1)
-  float per_x, per_y;        // cells per metre to starboard
-  std::int32_t columns, rows;
-};
-
-std::int32_t whole(double cells) {
-  // Beyond this no sounding of any sonar comes back into the grid.
-  constexpr double kFar = 1e9;
-  return static_cast<std::int32_t>(std::clamp(std::floor(cells), -kFar, kFar));
-}
+// Cells from the grid's corner; beyond this no sounding comes back into the grid.
+constexpr double kFar = 1e8;
 
 CellFrame cell_frame(const Ping& ping, const FanPose& pose, const CoverageGrid& grid) {
-  const Vec2 at = (ping.position - grid.origin()) / grid.resolution_m();
+  const Vec2 at = ((ping.position - grid.origin()) / grid.resolution_m())
+                      .cwiseMax(Vec2::Constant(-kFar))
+                      .cwiseMin(Vec2::Constant(kFar));
   CellFrame frame{};
-  frame.column = whole(at.x());
-  frame.row = whole(at.y());
+  frame.column = static_cast<std::int32_t>(std::floor(at.x()));
+  frame.row = static_cast<std::int32_t>(std::floor(at.y()));
   frame.x = static_cast<float>(at.x() - frame.column);
   frame.y = static_cast<float>(at.y() - frame.row);
-  const auto per_metre = static_cast<float>(1.0 / grid.resolution_m());
-  frame.per_x = pose.starboard_x * per_metre;
-  frame.per_y = pose.starboard_y * per_metre;
+  frame.starboard_x = pose.starboard_x;
+  frame.starboard_y = pose.starboard_y;
+  frame.cells_per_metre = static_cast<float>(1.0 / grid.resolution_m());
   frame.columns = static_cast<std::int32_t>(grid.columns());
   frame.rows = static_cast<std::int32_t>(grid.rows());
   return frame;
-}
-
-inline std::int32_t floor_to_int(float x) {
-  const auto i = static_cast<std::int32_t>(x);
-  return i - static_cast<std::int32_t>(x < static_cast<float>(i));
 }
 
 // Distance to starboard, cell and strip of rows of each sounding; strip kNoStrip for none.
 SWATHPLAN_EVERY_CPU
 void to_cells(std::size_t n, const CellFrame& frame, const float* range, const float* across,
               float* starboard, std::uint32_t* cell, std::int32_t* strip) {
+  const float per_x = frame.starboard_x * frame.cells_per_metre;
+  const float per_y = frame.starboard_y * frame.cells_per_metre;
   for (std::size_t i = 0; i < n; ++i) {
     const float v = range[i] * across[i];
     starboard[i] = v;
-    const std::int32_t column = frame.column + floor_to_int(frame.x + v * frame.per_x);
-    const std::int32_t row = frame.row + floor_to_int(frame.y + v * frame.per_y);
+    const std::int32_t column = frame.column + floor_to_int(frame.x + v * per_x);
+    const std::int32_t row = frame.row + floor_to_int(frame.y + v * per_y);
     const bool inside = (range[i] > 0.0F) & (column >= 0) & (column < frame.columns) & (row >= 0) &
                         (row < frame.rows);
     cell[i] = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(frame.columns) +
@@ -118,14 +107,22 @@ inline std::uint32_t count_sounding(std::uint32_t word, std::uint32_t code, std:
 }  // namespace
 
 PingTracer::PingTracer(const RayScene& scene, const Sonar& sonar, double draft_m,
-                       const CoverageGrid& grid)
-    : scene_(&scene), sonar_(&sonar), draft_(draft_m), grid_(&grid), tables_(sonar) {}
+                       const CoverageGrid& grid, bool footprints)
+    : scene_(&scene),
+      sonar_(&sonar),
+      draft_(draft_m),
+      grid_(&grid),
+      footprints_(footprints),
+      tables_(sonar),
+      sweep_(sonar) {}
 
 void PingTracer::trace(std::span<const Ping> pings, BlockTrace& block) {
   block.cells.clear();
   for (auto& runs : block.runs) runs.clear();
   block.rays = 0;
+  block.swept.clear();
   for (const Ping& ping : pings) trace_ping(ping, block);
+  sweep_.flush(block.swept);
 }
 
 void PingTracer::trace_ping(const Ping& ping, BlockTrace& block) {
@@ -145,10 +142,15 @@ void PingTracer::trace_ping(const Ping& ping, BlockTrace& block) {
 
   const auto first = static_cast<std::uint32_t>(block.cells.size());
   block.cells.resize(block.cells.size() + n);
-  to_cells(n, cell_frame(ping, pose, *grid_), hits.range, across, column(8),
-           block.cells.data() + first, strips_.data());
+  const CellFrame frame = cell_frame(ping, pose, *grid_);
+  to_cells(n, frame, hits.range, across, column(8), block.cells.data() + first, strips_.data());
   split_into_runs(table.beams, strips_.data(), first, ping, block);
   block.rays += table.beams;
+  if (footprints_) {
+    sweep_.add(
+        {&table, hits.range, column(8), beams.dx, beams.dy, beams.dz, hits.nx, hits.ny, hits.nz},
+        frame, ping.log, block.swept);
+  }
 }
 
 std::uint64_t count_band(std::span<const BlockTrace> blocks, std::uint32_t band,
@@ -166,6 +168,7 @@ std::uint64_t count_band(std::span<const BlockTrace> blocks, std::uint32_t band,
         ++soundings;
       }
     }
+    for (const SweptPatch& patch : block.swept) mark_band(patch, band, grid);
   }
   return soundings;
 }

@@ -6,29 +6,13 @@
 #include <vector>
 
 #include "coverage/coverage_grid.h"
+#include "coverage/cpu_internal.h"
 #include "coverage/fan_table_internal.h"
+#include "coverage/footprint_internal.h"
 #include "coverage/pings.h"
 #include "coverage/ray_scene.h"
 
-/// Hot loops in one build for every processor: the widest instructions are chosen at run time. The
-/// results are the same bits, for no multiply-add is ever contracted. The sanitizers cannot stand
-/// code that is chosen before they start.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define SWATHPLAN_EVERY_CPU __attribute__((target_clones("avx2", "default")))
-#else
-#define SWATHPLAN_EVERY_CPU
-#endif
-
 namespace swathplan {
-
-/// Bands of grid rows: 16 rows make a strip, strips are dealt to the bands in turn, and one task
-/// counts one band, so that no word of the grid is ever written by two.
-inline constexpr std::uint32_t kBands = 16;
-inline constexpr int kStripShift = 4;
-[[nodiscard]] constexpr std::uint32_t band_of_row(std::uint32_t row) {
-  return (row >> kStripShift) % kBands;
-}
 
 /// Neighbouring beams of one ping whose soundings fell in the same strip of rows.
 struct CellRun {
@@ -41,13 +25,15 @@ struct CellRun {
 struct BlockTrace {
   std::vector<std::uint32_t> cells;  ///< cell index per beam
   std::array<std::vector<CellRun>, kBands> runs;
+  std::vector<SweptPatch> swept;  ///< footprints, if wanted
   std::uint64_t rays = 0;
 };
 
 /// Traces blocks of pings; one per thread, for it keeps its buffers.
 class PingTracer {
  public:
-  PingTracer(const RayScene& scene, const Sonar& sonar, double draft_m, const CoverageGrid& grid);
+  PingTracer(const RayScene& scene, const Sonar& sonar, double draft_m, const CoverageGrid& grid,
+             bool footprints);
 
   void trace(std::span<const Ping> pings, BlockTrace& block);
 
@@ -58,7 +44,9 @@ class PingTracer {
   const Sonar* sonar_;
   double draft_;
   const CoverageGrid* grid_;
+  bool footprints_;
   FanTableCache tables_;
+  FootprintSweep sweep_;
   std::vector<float> floats_;
   std::vector<std::int32_t> strips_;
 };

@@ -81,8 +81,8 @@ class Scorer {
         grid_(grid),
         walker_(route, options.ping_spacing_m, options.noise),
         arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic),
-        tracers_([&ground, &sonar, draft_m, &grid] {
-          return PingTracer(*ground.scene, sonar, draft_m, grid);
+        tracers_([&ground, &sonar, draft_m, &grid, footprint = options.footprint] {
+          return PingTracer(*ground.scene, sonar, draft_m, grid, footprint);
         }) {
     const auto threads = static_cast<std::size_t>(arena_.max_concurrency());
     pings_.resize(threads * kBlocksPerThread);

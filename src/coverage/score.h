@@ -14,34 +14,34 @@ namespace swathplan {
 
 struct ScoreOptions {
   double resolution_m = 0.10;
-  double ping_spacing_m = 0.10;     ///< > 0
-  double holiday_m2 = 0.0;          ///< list holidays of at least this
+  double ping_spacing_m = 0.10;  ///< > 0
+  double holiday_m2 = 0.0;       ///< list holidays of at least this
   Nodata nodata = Nodata::wall;
   TrackNoise noise;
-  bool footprint = true;            ///< also score beam footprints
-  int threads = 0;                  ///< 0: all cores; the result does not depend on it
+  bool footprint = true;  ///< also score beam footprints
+  int threads = 0;        ///< 0: all cores; the result does not depend on it
   /// Called now and then with the share done [0, 1] and rays traced so far; may be empty.
   std::function<void(double, std::uint64_t)> progress;
 };
 
 /// Coverage counted over one set of pings (all, or those of logged legs).
 struct CoverageFigures {
-  double hit_pct = 0.0;              ///< cells with at least one sounding
+  double hit_pct = 0.0;  ///< cells with at least one sounding
   double hit_2_pct = 0.0, hit_5_pct = 0.0;
-  double footprint_pct = 0.0;        ///< cells whose centre lies in a beam's footprint
+  double footprint_pct = 0.0;  ///< cells whose centre lies in a beam's footprint
 };
 
 /// Every figure of design contract 'Scoring'.
 struct Score {
   CoverageFigures all, logged;
-  double overlap = 0.0;               ///< mean soundings per covered cell, less 1
-  double several_legs_pct = 0.0;      ///< cells seen by two or more different legs
-  std::uint64_t cells = 0;            ///< that count
+  double overlap = 0.0;                              ///< mean soundings per covered cell, less 1
+  double several_legs_pct = 0.0;                     ///< cells seen by two or more different legs
+  std::uint64_t cells = 0;                           ///< that count
   std::uint64_t pings = 0, rays = 0, soundings = 0;  ///< soundings: hits inside the area
   double survey_area_m2 = 0.0;
-  double footprint_width_m = 0.0;     ///< W
+  double footprint_width_m = 0.0;  ///< W
   RouteFigures route;
-  Holidays holidays;                  ///< of all pings
+  Holidays holidays;  ///< of all pings
 };
 
 struct ScoredRoute {
@@ -51,19 +51,18 @@ struct ScoredRoute {
 
 /// What a route is scored on; built once and shared by all routes of a comparison.
 struct ScoringGround {
-  const Seafloor* seafloor;           ///< the original mesh, not the planning mesh
+  const Seafloor* seafloor;  ///< the original mesh, not the planning mesh
   const DepthQuery* depths;
   const RayScene* scene;
-  Area survey_area;                   ///< cells that count
-  Area water;                         ///< where the boat may be
+  Area survey_area;  ///< cells that count
+  Area water;        ///< where the boat may be
 };
 
 /// Traces every beam of every ping of the route against the original seafloor and counts.
 /// Guarantees: (1) the same result for any number of threads; (2) memory 4 bytes a cell plus a
 /// fixed number of pings in flight.
 /// @throws InvalidInput for a route that is not valid; UsageError for an option out of range.
-[[nodiscard]] ScoredRoute score(const Route& route, const ScoringGround& ground,
-                                const Sonar& sonar, const Vehicle& vehicle,
-                                const ScoreOptions& options);
+[[nodiscard]] ScoredRoute score(const Route& route, const ScoringGround& ground, const Sonar& sonar,
+                                const Vehicle& vehicle, const ScoreOptions& options);
 
 }  // namespace swathplan
