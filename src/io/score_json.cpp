@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.h"
 #include "io/provenance_internal.h"
+#include "io/score_json_internal.h"
 
 namespace swathplan {
 namespace {
@@ -62,13 +63,19 @@ void add_holidays(Json& json, const Holidays& holidays) {
 
 }  // namespace
 
+nlohmann::ordered_json internal::score_figures(const Score& score) {
+  Json json = Json::object();
+  add_coverage(json, score);
+  add_route(json, score.route);
+  add_holidays(json, score.holidays);
+  return json;
+}
+
 std::string score_json(const std::string& planner, const Score& score,
                        const Provenance& provenance) {
   Json json = internal::to_json(provenance);
   json["planner"] = planner;
-  add_coverage(json, score);
-  add_route(json, score.route);
-  add_holidays(json, score.holidays);
+  json.update(internal::score_figures(score));
   return internal::json_text(json);
 }
 

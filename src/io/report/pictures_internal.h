@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coverage/coverage_grid.h"
+#include "io/coverage_summary_internal.h"
+#include "mesh/seafloor.h"
+
+namespace swathplan::internal {
+
+/// A picture of palette indices, row 0 at the top.
+struct IndexedPicture {
+  std::uint32_t columns = 0, rows = 0;
+  std::vector<std::uint8_t> pixels;
+  std::vector<Rgba> palette;
+};
+
+/// The bytes of a palette PNG.
+/// @throws InvalidInput if GDAL cannot make one.
+[[nodiscard]] std::string png_bytes(const IndexedPicture& picture);
+[[nodiscard]] std::string base64(std::string_view bytes);
+
+/// A map of depth over `box` (local metres), shaded from the north-west, with isobaths.
+struct DepthPicture {
+  IndexedPicture picture;           ///< index 0: no seafloor
+  Box2 box;                         ///< what the picture covers
+  double min_m = 0.0, max_m = 0.0;  ///< of the depths met
+  double isobath_m = 0.0;           ///< interval
+};
+// Index 1 + level * kDepthShades + shade; the last shade is that of isobaths.
+inline constexpr int kDepthLevels = 40, kDepthShades = 6;
+[[nodiscard]] DepthPicture depth_picture(const DepthQuery& depths, const Box2& box,
+                                         std::uint32_t largest_side);
+
+/// The grid as a picture of at most `budget` bytes of PNG (a quarter of the pixels at a time is
+/// given up until it fits).
+struct CoveragePicture {
+  std::string png;
+  std::uint32_t columns = 0, rows = 0, factor = 1;
+  Box2 box;
+};
+[[nodiscard]] CoveragePicture coverage_picture(const CoverageGrid& grid, std::size_t budget);
+
+}  // namespace swathplan::internal
