@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -7,12 +8,12 @@
 
 namespace swathplan {
 
-/// Why a gap is there.
+/// Why a gap is there: the first of these that holds.
 enum class HolidayCause {
-  between_beams,   ///< inside a swath: beams lie farther apart than the cells
-  between_lines,   ///< footprints of no line reach it
-  shadow,          ///< a swath passes over it but something stands before it
-  edge             ///< along the outline of the survey area
+  between_beams,  ///< footprints cover at least half of its cells: beams lie farther apart than
+                  ///< cells
+  edge,           ///< it touches the outline of the survey area
+  between_lines   ///< no footprint reaches most of it: lines too far apart, or a shadow
 };
 [[nodiscard]] std::string_view name(HolidayCause cause);
 
@@ -26,16 +27,16 @@ struct Holiday {
 };
 
 struct HolidayOptions {
-  double smallest_m2 = 0.0;      ///< smaller gaps are counted but not listed
+  double smallest_m2 = 0.0;  ///< smaller gaps are counted but not listed
   std::size_t list_at_most = 1000;
   bool logged_only = false;
 };
 
 struct Holidays {
-  std::size_t count = 0;          ///< all of them
+  std::size_t count = 0;  ///< all of them
   double largest_m2 = 0.0;
   double total_m2 = 0.0;
-  std::vector<Holiday> list;      ///< largest first (ties: south-west first)
+  std::vector<Holiday> list;  ///< largest first (ties: south-west first)
 };
 
 /// Finds the gaps of a scored grid. O(cells), memory O(columns + gaps).

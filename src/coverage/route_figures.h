@@ -10,23 +10,32 @@
 
 namespace swathplan {
 
-/// What can be said of a route without a sonar.
+/// What can be said of a route without a sonar. Waypoints nearer than a micrometre to the one
+/// before add nothing.
 struct RouteFigures {
   double length_m = 0.0;
   std::map<std::string, double> length_by_kind_m;  ///< kind name -> metres
   double logged_length_m = 0.0;
-  double length_ratio = 0.0;            ///< length / (area / W)
-  std::size_t turns = 0;                ///< changes of course of at least kTurnDeg, curves counted once
-  std::size_t sharp_turns = 0;          ///< of them, of at least 90 degrees
-  double total_turning_deg = 0.0;       ///< sum of all changes of course
-  double min_turn_radius_m = 0.0;       ///< smallest radius through three consecutive waypoints
-  std::size_t self_crossings = 0;       ///< proper crossings of two segments
-  double outside_water_m = 0.0;         ///< path outside the water or inside no-go
-  double min_under_keel_m = 0.0;        ///< least depth below the path less the draft
-  double duration_s = 0.0;              ///< length over each leg's speed
+  double length_ratio = 0.0;       ///< length / (area / W)
+  std::size_t turns = 0;           ///< curves that change the course by at least kTurnDeg
+  std::size_t sharp_turns = 0;     ///< of them, by at least kSharpTurnDeg
+  double total_turning_deg = 0.0;  ///< sum of all changes of course
+  /// Smallest radius that a waypoint asks for: that of the arc which touches both of its segments
+  /// and begins in the middle of the shorter one. On waypoints of a curve it is the curve's radius.
+  /// Infinite for a straight route, 0 where the route turns back on itself.
+  double min_turn_radius_m = 0.0;
+  std::size_t self_crossings = 0;  ///< see mesh/path_crossings.h
+  double outside_water_m = 0.0;    ///< path outside the water or inside no-go
+  double min_under_keel_m = 0.0;   ///< least depth below the path less the draft; infinite: no data
+  double duration_s = 0.0;         ///< length over each leg's speed
 };
 
 inline constexpr double kTurnDeg = 30.0;
+inline constexpr double kSharpTurnDeg = 90.0;
+/// Bends to the same side no farther apart than this are one curve, metres of path.
+inline constexpr double kCurveGapM = 3.0;
+/// The depth below the path is looked up at each waypoint and at least this often between, metres.
+inline constexpr double kDepthStepM = 1.0;
 
 /// `water`: where the boat may be (outline of the data deep enough, less no-go).
 /// `footprint_width_m`: W, for the length ratio over `survey_area_m2`.

@@ -146,6 +146,9 @@ ScoredRoute score(const Route& route, const ScoringGround& ground, const Sonar& 
   figures.footprint_width_m = footprint_width_m(sonar, options.resolution_m);
   Scorer(route, ground, sonar, vehicle.draft_m, options, result.grid).run(figures);
   fill_figures(tally(result.grid), figures);
+  figures.route = route_figures(route, vehicle, ground.water, *ground.depths,
+                                figures.survey_area_m2, figures.footprint_width_m);
+  figures.holidays = find_holidays(result.grid, {.smallest_m2 = options.holiday_m2});
   return result;
 }
 

@@ -1,0 +1,137 @@
+#include "coverage/route_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "mesh/area_query.h"
+#include "mesh/path_crossings.h"
+
+namespace swathplan {
+
+namespace {
+
+constexpr double kCoincident = 1e-6;  // metres
+constexpr double kLengthDust = 1e-9;  // metres of a segment that rounding may put outside
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::vector<Vec2> distinct_points(const Route& route) {
+  std::vector<Vec2> points;
+  for (const Waypoint& w : route.waypoints) {
+    if (points.empty() || (w.position - points.back()).norm() > kCoincident) {
+      points.push_back(w.position);
+    }
+  }
+  return points;
+}
+
+// Change of course at b, radians, to port positive.
+double bend(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const Vec2 in = b - a;
+  const Vec2 out = c - b;
+  return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+}
+
+void add_lengths(const Route& route, RouteFigures& figures) {
+  for (std::size_t i = 0; i + 1 < route.waypoints.size(); ++i) {
+    const Waypoint& w = route.waypoints[i];
+    const double length = (route.waypoints[i + 1].position - w.position).norm();
+    figures.length_m += length;
+    figures.length_by_kind_m[std::string(name(w.kind))] += length;
+    if (w.log) figures.logged_length_m += length;
+    figures.duration_s += length / w.speed_mps;
+  }
+}
+
+// Counts curves: runs of bends to the same side with short ways between.
+class TurnCounter {
+ public:
+  explicit TurnCounter(RouteFigures& figures) : figures_(figures) {}
+
+  void add(double angle, double way_before) {
+    if (angle * curve_ < 0.0 || way_before > kCurveGapM) end_curve();
+    curve_ += angle;
+  }
+  void end_curve() {
+    // A right angle made of many bends is not to fall short of it by rounding.
+    constexpr double kDust = 1e-6;
+    const double degrees = std::abs(curve_) * 180.0 / std::numbers::pi + kDust;
+    figures_.turns += degrees >= kTurnDeg;
+    figures_.sharp_turns += degrees >= kSharpTurnDeg;
+    curve_ = 0.0;
+  }
+
+ private:
+  RouteFigures& figures_;
+  double curve_ = 0.0;
+};
+
+void add_turns(const std::vector<Vec2>& points, RouteFigures& figures) {
+  TurnCounter turns(figures);
+  figures.min_turn_radius_m = kInfinity;
+  double way = 0.0;  // since the last bend
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const double before = (points[i] - points[i - 1]).norm();
+    const double after = (points[i + 1] - points[i]).norm();
+    const double angle = bend(points[i - 1], points[i], points[i + 1]);
+    way += before;
+    figures.total_turning_deg += std::abs(angle) * 180.0 / std::numbers::pi;
+    const double tangent = std::tan(0.5 * std::abs(angle));
+    if (tangent > 0.0) {
+      figures.min_turn_radius_m =
+          std::min(figures.min_turn_radius_m, 0.5 * std::min(before, after) / tangent);
+    }
+    // Points along a straight line bend by rounding alone.
+    constexpr double kStraight = 1e-6;
+    if (std::abs(angle) < kStraight) continue;
+    turns.add(angle, way);
+    way = 0.0;
+  }
+  turns.end_curve();
+}
+
+double outside_m(const std::vector<Vec2>& points, const Area& water) {
+  const AreaQuery query(water);
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double length = (points[i + 1] - points[i]).norm();
+    const double outside = length - query.inside_length(points[i], points[i + 1]);
+    if (outside > kLengthDust) sum += outside;
+  }
+  return sum;
+}
+
+double least_depth(const std::vector<Vec2>& points, const DepthQuery& depths) {
+  double least = kInfinity;
+  const auto look = [&](const Vec2& p) {
+    if (const auto depth = depths.depth(p)) least = std::min(least, *depth);
+  };
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec2 way = points[i + 1] - points[i];
+    const double steps = std::ceil(way.norm() / kDepthStepM);
+    for (double k = 0; k < steps; ++k) look(points[i] + k / steps * way);
+  }
+  if (!points.empty()) look(points.back());
+  return least;
+}
+
+}  // namespace
+
+RouteFigures route_figures(const Route& route, const Vehicle& vehicle, const Area& water,
+                           const DepthQuery& depths, double survey_area_m2,
+                           double footprint_width_m) {
+  RouteFigures figures;
+  add_lengths(route, figures);
+  if (survey_area_m2 > 0 && footprint_width_m > 0) {
+    figures.length_ratio = figures.length_m / (survey_area_m2 / footprint_width_m);
+  }
+  const std::vector<Vec2> points = distinct_points(route);
+  add_turns(points, figures);
+  figures.self_crossings = self_crossings(points);
+  figures.outside_water_m = outside_m(points, water);
+  figures.min_under_keel_m = least_depth(points, depths) - vehicle.draft_m;
+  return figures;
+}
+
+}  // namespace swathplan
