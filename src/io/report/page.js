@@ -90,10 +90,10 @@ plans.forEach((plan, i) => {
         figure(plan.coverage_text, ' %', 'covered'),
         figure(ratio(plan.figures.length_ratio), ' ×', 'ideal length'),
         figure(gaps ? plan.largest_text : '0', ' m²', 'largest gap')),
-      element('p', {class: 'says'}, plan.verdict),
-      ...plan.warnings.map((w) => element('span', {class: 'warn'}, '⚠ ' + w))),
-    frame, plan.readout,
-    ...plan.notes.map((note) => element('p', {class: 'note'}, note)));
+      element('p', {class: 'says'}, plan.gaps_text),
+      ...plan.warnings.map((w) => element('span', {class: 'warn'}, '⚠ ' + w)),
+      ...plan.notes.map((note) => element('p', {class: 'says'}, note))),
+    frame, plan.readout);
   $('cards').append(plan.card);
   new MapView(frame, 'Coverage of plan ' + plan.name, 520, (map) => paintCoverage(plan, map));
 });
@@ -127,7 +127,7 @@ function paintPath(map) {
     map.stroke([part.line], style, width * thick, dash);
   }
   let walked = 0;
-  for (const part of parts) walked = map.arrows(part.line, pathStyle(part)[0], 150, walked);
+  for (const part of parts) walked = map.arrows(part.line, pathStyle(part)[0], 230, walked);
   const last = parts[parts.length - 1].line;
   map.badge('E', [last[last.length - 2], last[last.length - 1]], '#b3261e', 9);
   map.badge('S', [parts[0].line[0], parts[0].line[1]], '#0a6b4d', 9);

@@ -197,7 +197,7 @@ Json legend_json() {
 Json plan_json(const ReportPlan& plan, const Pen& pen, const Frame& frame, double tolerance_m,
                std::size_t budget) {
   return {{"name", plan.planner},
-          {"verdict", verdict(*plan.score)},
+          {"gaps_text", gaps_text(*plan.score)},
           {"coverage_text", percent_text(plan.score->all.hit_pct)},
           {"largest_text", area_text(plan.score->holidays.largest_m2)},
           {"warnings", warnings(*plan.score)},

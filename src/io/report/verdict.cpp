@@ -38,16 +38,20 @@ std::string cause_text(HolidayCause cause) {
   return text;
 }
 
-std::string verdict(const Score& score) {
+std::string gaps_text(const Score& score) {
   const Holidays& gaps = score.holidays;
-  std::string text = fmt::format("Covers {} % at {}. ", percent_text(score.all.hit_pct),
-                                 times(score.route.length_ratio));
-  if (gaps.count == 0) return text + "No gaps.";
-  text += fmt::format("{} gap{}, {} m² in all; the largest {} m²",
-                      with_commas(static_cast<double>(gaps.count)), gaps.count == 1 ? "" : "s",
-                      area_text(gaps.total_m2), area_text(gaps.largest_m2));
+  if (gaps.count == 0) return "No gaps.";
+  std::string text = fmt::format("{} gap{}, {} m² in all; the largest {} m²",
+                                 with_commas(static_cast<double>(gaps.count)),
+                                 gaps.count == 1 ? "" : "s", area_text(gaps.total_m2),
+                                 area_text(gaps.largest_m2));
   if (!gaps.list.empty()) text += ", " + cause_text(gaps.list.front().cause);
   return text + ".";
+}
+
+std::string verdict(const Score& score) {
+  return fmt::format("Covers {} % at {}. {}", percent_text(score.all.hit_pct),
+                     times(score.route.length_ratio), gaps_text(score));
 }
 
 std::vector<std::string> warnings(const Score& score) {

@@ -14,6 +14,8 @@ namespace swathplan::internal {
 /// 'between lines' for HolidayCause::between_lines and so on.
 [[nodiscard]] std::string cause_text(HolidayCause cause);
 
+/// How many gaps, how large, and why the largest is there.
+[[nodiscard]] std::string gaps_text(const Score& score);
 /// What a plan is worth in one or two sentences: coverage, length, gaps.
 [[nodiscard]] std::string verdict(const Score& score);
 /// What speaks against sailing it: metres outside the water, grounding, self-crossings.
