@@ -53,7 +53,7 @@ SurfaceData read_with_assimp(const std::filesystem::path& path) {
     throw InvalidInput(
         fmt::format("'{}' cannot be read as a mesh ({}); export it again, for "
                     "instance as OBJ or PLY",
-                    path.string(), quotable(importer.GetErrorString())));
+                    path.string(), quotable(importer.GetErrorString(), 300)));
   }
   SurfaceData data;
   const std::string extension = lower(path.extension().string());

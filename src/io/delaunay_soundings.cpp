@@ -22,8 +22,9 @@ using Delaunay =
 
 /// Points of a (turned) grid are this alike in their nearest distances, tenth to ninetieth percent.
 constexpr double kGridLike = 1.05;
-/// Between the diagonal of a square cell (1.414) and a gap of one cell (2).
-constexpr double kGridLimit = 1.5;
+/// There the diagonal of a cell is allowed (the longest edge of its triangles) with room for
+/// rounding, but no gap of a cell (1.41 times the diagonal of a square).
+constexpr double kGridLimit = 1.06;
 /// Scattered soundings: multiples of the median nearest distance and of the median longest edge of
 /// a triangle. Lines of soundings are dense along and wide across: the second one bridges them.
 constexpr double kNearestLimit = 4.0;
@@ -83,12 +84,13 @@ std::vector<double> nearest_distances(const SurfaceData& data) {
 }
 
 double choose_limit(const SurfaceData& data, std::vector<double>& nearest) {
-  const double median = percentile(nearest, 0.5);
-  if (percentile(nearest, 0.9) <= kGridLike * percentile(nearest, 0.1)) return kGridLimit * median;
   std::vector<double> longest;
   longest.reserve(data.faces.size());
   for (const auto& f : data.faces) longest.push_back(longest_edge(data.vertices, f));
-  return std::max(kNearestLimit * median, kEdgeLimit * percentile(longest, 0.5));
+  const double edge = percentile(longest, 0.5);
+  const bool grid_like = percentile(nearest, 0.9) <= kGridLike * percentile(nearest, 0.1);
+  if (grid_like) return kGridLimit * edge;
+  return std::max(kNearestLimit * percentile(nearest, 0.5), kEdgeLimit * edge);
 }
 
 std::size_t drop_unused(SurfaceData& data) {

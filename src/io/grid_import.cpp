@@ -171,6 +171,7 @@ bool is_grid(const fs::path& path) {
 std::vector<std::array<std::uint32_t, 3>> lattice_faces(const std::vector<std::uint32_t>& node,
                                                         std::size_t columns) {
   std::vector<std::array<std::uint32_t, 3>> faces;
+  faces.reserve(2 * node.size());
   for (std::size_t south = 0; south + columns < node.size(); south += columns) {
     for (std::size_t i = south; i + 1 < south + columns; ++i) {
       const std::uint32_t sw = node[i];

@@ -75,10 +75,11 @@ std::string kind_of(const fs::path& path) {
   if (is_mesh_extension(extension)) return "mesh";
   constexpr std::array kSoundings = {".xyz", ".csv", ".txt", ".pts", ".dat"};
   const bool rows = std::find(kSoundings.begin(), kSoundings.end(), extension) != kSoundings.end();
-  if (!starts_like_text(path, "ncols") && rows) return "soundings";
-  if (is_grid(path)) return "grid";
-  if (starts_like_text(path, "ncols")) return "grid";
-  if (starts_like_text(path, "")) return "soundings";
+  const bool is_text = starts_like_text(path, "");
+  const bool esri_grid = starts_like_text(path, "ncols");
+  if (rows && is_text && !esri_grid) return "soundings";
+  if (esri_grid || is_grid(path)) return "grid";
+  if (is_text) return "soundings";
   throw InvalidInput(fmt::format(
       "'{}' is neither a mesh (OBJ, PLY, OFF, STL, glTF, COLLADA), a grid that GDAL reads (Esri "
       "ASCII, GeoTIFF, BAG) nor soundings (XYZ, CSV); it may be truncated or garbled",

@@ -101,6 +101,12 @@ SurfaceData read_mesh(const fs::path& path) {
   SurfaceData data = exact ? read_exactly(path, extension) : read_with_assimp(path);
   if (is_stl && !exact) data.format = "binary STL";
   if (!exact) data.float_step = float_step(data.vertices);
+  if (data.vertices.empty()) {
+    throw InvalidInput(
+        fmt::format("'{}' holds neither vertices nor faces; it is no {} file, or it "
+                    "is truncated or garbled",
+                    path.string(), data.format));
+  }
   if (data.faces.empty()) {
     throw InvalidInput(fmt::format(
         "'{}' holds {} vertices but no faces; a seafloor mesh needs faces (for points alone, write "

@@ -8,7 +8,6 @@ namespace swathplan {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
-constexpr std::size_t kQuotableLength = 60;
 
 }  // namespace
 
@@ -56,11 +55,11 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-std::string quotable(std::string_view text) {
-  std::string result(text.substr(0, kQuotableLength));
+std::string quotable(std::string_view text, std::size_t most) {
+  std::string result(text.substr(0, most));
   std::replace_if(
       result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text.size() > kQuotableLength ? result + "..." : result;
+  return text.size() > most ? result + "..." : result;
 }
 
 }  // namespace swathplan

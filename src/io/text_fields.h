@@ -14,7 +14,7 @@ namespace swathplan {
 [[nodiscard]] std::vector<std::string_view> split(std::string_view line, char separator);
 [[nodiscard]] std::string_view trim(std::string_view text);
 [[nodiscard]] std::string lower(std::string_view text);
-/// What an error message may quote: at most 60 characters, unprintable ones as '?'.
-[[nodiscard]] std::string quotable(std::string_view text);
+/// What an error message may quote: at most `most` characters, unprintable ones as '?'.
+[[nodiscard]] std::string quotable(std::string_view text, std::size_t most = 60);
 
 }  // namespace swathplan

@@ -16,6 +16,8 @@ class LevelCutter {
   LevelCutter(const Seafloor& source, double level) : source_(source), level_(level) {
     result_.frame = source.frame;
     kept_.assign(source.vertices.size(), kNone);
+    result_.vertices.reserve(source.vertices.size());
+    result_.faces.reserve(source.faces.size());
   }
 
   void add(const Seafloor::Face& face) {
