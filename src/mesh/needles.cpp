@@ -60,13 +60,12 @@ class Neighbours {
 };
 
 /// One pass: takes every needle whose neighbourhood has not changed yet in this pass.
-std::size_t take_needles(Seafloor& mesh) {
+void take_needles(Seafloor& mesh) {
   const Neighbours neighbours(mesh);
   std::vector<bool> changed(mesh.faces.size(), false);
   std::vector<bool> dropped(mesh.faces.size(), false);
   std::vector<Face> cut;
   std::vector<std::pair<std::uint32_t, Face>> replaced;
-  std::size_t taken = 0;
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
     if (changed[f] || !is_needle(mesh, mesh.faces[f])) continue;
     const std::size_t middle = middle_corner(mesh, mesh.faces[f]);
@@ -74,7 +73,6 @@ std::size_t take_needles(Seafloor& mesh) {
     const EdgeUse* across = neighbours.across(f, (middle + 1) % 3);
     if (across != nullptr && changed[across->face]) continue;
     changed[f] = dropped[f] = true;
-    ++taken;
     if (across == nullptr) continue;
     const Face other = mesh.faces[across->face];
     const std::uint32_t p = other.at(across->corner);
@@ -95,22 +93,19 @@ std::size_t take_needles(Seafloor& mesh) {
   }
   mesh.faces.resize(kept);
   mesh.faces.insert(mesh.faces.end(), cut.begin(), cut.end());
-  return taken;
 }
 
 }  // namespace
 
 std::size_t drop_needles(Seafloor& mesh) {
-  const std::size_t before = mesh.faces.size();
-  std::size_t taken = 0;
+  const auto needle = [&](const Face& f) { return is_needle(mesh, f); };
+  const auto found = std::count_if(mesh.faces.begin(), mesh.faces.end(), needle);
   for (int pass = 0; pass < kMostPasses; ++pass) {
-    const bool any = std::any_of(mesh.faces.begin(), mesh.faces.end(),
-                                 [&](const Face& f) { return is_needle(mesh, f); });
-    if (!any) return taken;
-    taken += take_needles(mesh);
+    if (std::none_of(mesh.faces.begin(), mesh.faces.end(), needle)) break;
+    take_needles(mesh);
   }
-  std::erase_if(mesh.faces, [&](const Face& f) { return is_needle(mesh, f); });
-  return std::max(taken, before - std::min(before, mesh.faces.size()));
+  std::erase_if(mesh.faces, needle);
+  return static_cast<std::size_t>(found);
 }
 
 }  // namespace swathplan
