@@ -56,10 +56,10 @@ void FootprintPieces::build(const FanSoundings& fan, const BeamWidths& widths,
     left[count] = at - cap_port_[i];
     right[count] = at + cap_starboard_[i];
     half_along[count] = fan.range[i] * half;
-    if (count > 0) {
-      const float middle = 0.5F * (before + at);
-      right[count - 1] = std::min(right[count - 1], middle);
-      left[count] = std::max(left[count], middle);
+    if (count > 0 && right[count - 1] > left[count]) {
+      // Where two footprints overlap each gives way to the other about half-way.
+      const float border = std::clamp(0.5F * (before + at), left[count], right[count - 1]);
+      right[count - 1] = left[count] = border;
     }
     before = at;
     ++count;

@@ -1,5 +1,7 @@
 #include "coverage/ray_scene.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -216,13 +218,15 @@ RayScene::Impl::Impl(const Seafloor& seafloor, Nodata nodata) {
     high = high.cwiseMax(v);
   }
   if (!seafloor.vertices.empty()) centre = 0.5 * (low + high);
-  device = rtcNewDevice("threads=1");
+  // A thread count given to the device would bind all of TBB to it.
+  device = rtcNewDevice(nullptr);
   if (device == nullptr) throw std::runtime_error("Embree cannot start on this machine");
   scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   attach_seafloor(device, scene, seafloor, centre);
   if (nodata == Nodata::wall) attach_curtains(device, scene, seafloor, centre);
-  rtcCommitScene(scene);
+  // Built by one thread, so that the same tree arises on every machine.
+  tbb::task_arena(1).execute([this] { rtcJoinCommitScene(scene); });
 }
 
 RayScene::Impl::~Impl() {

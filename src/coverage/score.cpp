@@ -2,10 +2,12 @@
 
 #include <fmt/core.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 
 #include "coverage/ping_tracer_internal.h"
 #include "mesh/error.h"
@@ -31,6 +33,12 @@ void check(const Route& route, const Sonar& sonar, const ScoreOptions& options) 
   if (options.threads < 0) {
     throw UsageError(fmt::format("threads = {}; must be 0 (all cores) or more", options.threads));
   }
+}
+
+// More threads than cores only wait for one another.
+int thread_count(const ScoreOptions& options) {
+  const int cores = tbb::info::default_concurrency();
+  return options.threads > 0 ? std::min(options.threads, cores) : cores;
 }
 
 // Counts over the cells of the area.
@@ -80,7 +88,7 @@ class Scorer {
       : options_(options),
         grid_(grid),
         walker_(route, options.ping_spacing_m, options.noise),
-        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic),
+        arena_(thread_count(options)),
         tracers_([&ground, &sonar, draft_m, &grid, footprint = options.footprint] {
           return PingTracer(*ground.scene, sonar, draft_m, grid, footprint);
         }) {

@@ -16,7 +16,7 @@ struct ScoreOptions {
   double resolution_m = 0.10;
   double ping_spacing_m = 0.10;  ///< > 0
   double holiday_m2 = 0.0;       ///< list holidays of at least this
-  Nodata nodata = Nodata::wall;
+  Nodata nodata = Nodata::wall;  ///< for the record: the scene was built with it
   TrackNoise noise;
   bool footprint = true;  ///< also score beam footprints
   int threads = 0;        ///< 0: all cores; the result does not depend on it
@@ -59,6 +59,14 @@ struct ScoringGround {
 };
 
 /// Traces every beam of every ping of the route against the original seafloor and counts.
+/// A sounding counts in the cell that it falls in, as far as the sonar's range reaches.
+/// The footprint of a beam is a rectangle about its sounding, along and across the course. Along:
+/// 2 range tan(beam width / 2). Across, to either side: range x stretch x half of the beam width or
+/// of the angle to the neighbouring beam, whichever is more; `stretch` is what the met slope makes
+/// of a width across the beam, n_z / |n . d|, at most 5.76 (80 degrees of incidence). Where the
+/// rectangles of neighbouring soundings overlap they meet half-way between the soundings (or as far
+/// as both reach), so missing beams, shadows and range jumps are not bridged. Beams that climb a
+/// wall, straight above the one before, add no footprint.
 /// Guarantees: (1) the same result for any number of threads; (2) memory 4 bytes a cell plus a
 /// fixed number of pings in flight.
 /// @throws InvalidInput for a route that is not valid; UsageError for an option out of range.
