@@ -12,13 +12,14 @@ namespace swathplan {
 
 /// How to read a seafloor file where the file does not say, or says it wrongly.
 struct ImportOptions {
-  std::string crs;             ///< 'EPSG:n' or WKT, overrides the file's own; empty: the file's own
+  std::string crs = {};        ///< 'EPSG:n' or WKT, overrides the file's own; empty: the file's own
   double water_level_m = 0.0;  ///< height of still water in the file's vertical datum, z up
   enum class ZPositive { up, down } z_positive = ZPositive::up;
   double z_unit_m = 1.0;                 ///< metres in one vertical unit, > 0
-  std::optional<double> xy_unit_m;       ///< metres in one horizontal unit, > 0; empty: the CRS's
-  std::optional<double> longest_edge_m;  ///< soundings: triangles with a longer edge are left out
-  std::optional<double> nodata;          ///< a further z value (file units) that means 'no data'
+  std::optional<double> xy_unit_m = {};  ///< metres in one horizontal unit, > 0; empty: the CRS's
+  std::optional<double> longest_edge_m =
+      {};                             ///< soundings: triangles with a longer edge are left out
+  std::optional<double> nodata = {};  ///< a further z value (file units) that means 'no data'
 };
 
 /// A seafloor in its local frame and what was found on the way.
