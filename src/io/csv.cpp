@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "io/csv_internal.h"
-#include "io/text_internal.h"
+#include "io/text_fields.h"
 
 namespace swathplan::internal {
 namespace {
@@ -43,7 +43,7 @@ class Records {
         row.fields.back() += c;
       }
     }
-    for (std::string& field : row.fields) field = std::string(trimmed(field));
+    for (std::string& field : row.fields) field = std::string(trim(field));
     return row;
   }
 

@@ -2,6 +2,7 @@
 
 #include "io/route_csv.h"
 #include "io/route_geojson.h"
+#include "io/text_fields.h"
 #include "io/text_internal.h"
 
 namespace swathplan {
@@ -9,7 +10,7 @@ namespace swathplan {
 ImportedRoute read_route(const std::filesystem::path& path, const Frame& frame,
                          const RouteDefaults& defaults) {
   const std::string text = internal::read_text(path);
-  const std::string_view content = internal::trimmed(text);
+  const std::string_view content = trim(text);
   return content.starts_with('{') ? parse_route_geojson(content, path.string(), frame, defaults)
                                   : parse_route_csv(text, path.string(), frame, defaults);
 }

@@ -9,6 +9,7 @@
 #include "io/atomic_file.h"
 #include "io/csv_internal.h"
 #include "io/lonlat_internal.h"
+#include "io/text_fields.h"
 #include "io/text_internal.h"
 #include "mesh/error.h"
 
@@ -131,7 +132,7 @@ LegKind kind_of(const CsvTable::Row& row, bool last, const Columns& c,
                 const RouteColumns& columns) {
   const std::string_view text = c.text(row, columns.kind);
   if (text.empty()) return last ? LegKind::end : LegKind::line;
-  const auto kind = leg_kind(internal::lower(text));
+  const auto kind = leg_kind(lower(text));
   if (!kind) {
     c.fail(row, *columns.kind,
            "is none of line, turn, transit, cross, infill, run_in, run_out, end");
@@ -143,7 +144,7 @@ LegKind kind_of(const CsvTable::Row& row, bool last, const Columns& c,
 }
 
 bool log_of(const CsvTable::Row& row, const Columns& c, const RouteColumns& columns) {
-  const std::string text = internal::lower(c.text(row, columns.log));
+  const std::string text = lower(c.text(row, columns.log));
   if (text.empty() || text == "1" || text == "true") return true;
   if (text != "0" && text != "false") c.fail(row, *columns.log, "must be 0 or 1");
   return false;
@@ -241,8 +242,7 @@ void add_notes(ImportedRoute& imported, const RouteColumns& columns, const CsvTa
     imported.notes.push_back(
         fmt::format("the route names no speed: {} m/s was taken", defaults.speed_mps));
   }
-  const std::string last =
-      columns.kind ? internal::lower(table.rows.back().fields[*columns.kind]) : "end";
+  const std::string last = columns.kind ? lower(table.rows.back().fields[*columns.kind]) : "end";
   if (last != "end") {
     imported.notes.push_back(
         fmt::format("the last row is of kind '{}', not end: nothing follows it", last));

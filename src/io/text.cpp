@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 
+#include "io/text_fields.h"
 #include "io/text_internal.h"
 #include "mesh/error.h"
 
@@ -19,7 +18,7 @@ std::string read_text(const std::filesystem::path& path) {
         fmt::format("cannot read '{}': check the name and the permissions", path.string()));
   }
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (trimmed(text).empty()) throw InvalidInput(fmt::format("'{}' is empty", path.string()));
+  if (trim(text).empty()) throw InvalidInput(fmt::format("'{}' is empty", path.string()));
   if (text.find('\0') != std::string::npos) {
     throw InvalidInput(fmt::format("'{}' is not a text file", path.string()));
   }
@@ -36,28 +35,8 @@ std::string decimal(double value, int decimals) {
 }
 
 std::optional<double> number(std::string_view text) {
-  text = trimmed(text);
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return out;
+  const std::optional<double> value = to_number(trim(text));
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 }  // namespace swathplan::internal

@@ -18,7 +18,4 @@ namespace swathplan::internal {
 /// finite.
 [[nodiscard]] std::optional<double> number(std::string_view text);
 
-[[nodiscard]] std::string_view trimmed(std::string_view text);
-[[nodiscard]] std::string lower(std::string_view text);
-
 }  // namespace swathplan::internal

@@ -5,7 +5,8 @@ const colour = (name) => getComputedStyle(root).getPropertyValue('--' + name).tr
 
 /** A palette picture that knows which index lies where. */
 class Picture {
-  constructor(source, palette) {
+  constructor(source, palette, crisp) {
+    this.crisp = crisp;  // closer than its pixels: squares, as cells are, or a smooth ground
     Object.assign(this, {columns: source.columns, rows: source.rows, box: metres(source.box)});
     this.indices = new Map();
     palette.forEach((hex, i) => {
@@ -21,7 +22,7 @@ class Picture {
     const [left, top] = map.toScreen(this.box.x0, this.box.y1);
     const [right, bottom] = map.toScreen(this.box.x1, this.box.y0);
     const pixel = (right - left) / this.columns * (window.devicePixelRatio || 1);
-    map.ink.imageSmoothingEnabled = pixel < 1.5;
+    map.ink.imageSmoothingEnabled = !this.crisp || pixel < 1.5;
     map.ink.imageSmoothingQuality = 'high';
     map.ink.drawImage(this.image, left, top, right - left, bottom - top);
   }

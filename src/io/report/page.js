@@ -6,9 +6,9 @@ const plans = data.plans.map((plan, i) => ({
   ...plan, tint: tints[i % tints.length],
   path: plan.path.map((part) => ({...part, line: decoded(part.line)})),
   holidays: plan.holidays.map((gap) => ({...gap, at: [...decoded(gap.at)]})),
-  picture: new Picture(plan.coverage, data.legend.palette),
+  picture: new Picture(plan.coverage, data.legend.palette, true),
 }));
-const depth = new Picture(data.depth, data.depth.palette);
+const depth = new Picture(data.depth, data.depth.palette, false);
 const area = data.area.map(decoded), water = data.water.map(decoded), noGo = data.no_go.map(decoded);
 const regions = data.regions.map((r) => ({...r, rings: r.rings.map(decoded), label: decoded(r.label)}));
 const gates = data.gates.map(decoded), blocked = data.blocked.map(decoded);
