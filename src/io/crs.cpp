@@ -80,7 +80,7 @@ std::string crs_name(const std::string& wkt) {
   if (wkt.empty()) return "none";
   OGRSpatialReference crs = reference(wkt);
   const char* name = crs.GetName();
-  const std::string label = name != nullptr ? name : "unnamed";
+  std::string label = name != nullptr ? name : "unnamed";
   if (crs.GetAuthorityCode(nullptr) == nullptr) crs.AutoIdentifyEPSG();
   const char* code = crs.GetAuthorityCode(nullptr);
   const char* authority = crs.GetAuthorityName(nullptr);
