@@ -250,7 +250,7 @@ const figures = [
   ['Duration', 'duration_s', time, 'low'],
   ['Overlap: further soundings a covered cell', 'overlap_soundings_per_cell', ratio, ''],
   ['Cells seen from several legs', 'several_legs_pct', percent, ''],
-  ['Gaps', 'holidays', count, 'low'],
+  ['Gaps', 'holidays', count, ''],
   ['Largest gap', 'largest_holiday_m2', square, 'low'],
   ['All gaps together', 'holidays_total_m2', square, 'low'],
   ['Turns', 'turns', count, 'low'],

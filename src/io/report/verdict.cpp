@@ -33,6 +33,7 @@ std::string area_text(double square_metres) {
 }
 
 std::string cause_text(HolidayCause cause) {
+  if (cause == HolidayCause::edge) return "at the edge";
   std::string text(name(cause));
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
