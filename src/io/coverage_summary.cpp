@@ -81,7 +81,7 @@ std::vector<Rgba> coverage_palette() {
     out[kCovered + i] = blend(blues, static_cast<double>(i) / (kCoveredNames.size() - 1));
   }
   for (int i = 1; i <= kEmptySteps; ++i) {
-    out[static_cast<std::size_t>(kEmpty + i)] =
+    out[kEmpty + static_cast<std::size_t>(i)] =
         blend(reds, static_cast<double>(i - 1) / (kEmptySteps - 1));
   }
   return out;

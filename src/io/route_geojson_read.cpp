@@ -216,10 +216,9 @@ class Properties {
     const Json* value = find("log");
     if (value == nullptr) return true;
     if (value->is_boolean()) return value->get<bool>();
-    if (!value->is_number() || (*value != 0 && *value != 1)) {
-      reader_.fail(line_.label, "log must be 0 or 1");
-    }
-    return *value == 1;
+    const double flag = value->is_number() ? value->get<double>() : -1.0;
+    if (flag != 0.0 && flag != 1.0) reader_.fail(line_.label, "log must be 0 or 1");
+    return flag == 1.0;
   }
 
   [[nodiscard]] std::optional<FanAngles> fan(std::size_t point) const {
