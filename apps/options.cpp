@@ -199,12 +199,14 @@ void add_planning_options(CLI::App& command, SurveyOptions& o) {
       ->capture_default_str()
       ->group(group);
   command
-      .add_option(
-          "--smallest-region", o.smallest_region_m2,
-          "Depth regions under this join a neighbour, square metres (default: half a face square)")
+      .add_option("--smallest-region", o.smallest_region_m2,
+                  "Depth regions under this join a neighbour, square metres (default: 0.3 of a "
+                  "hypotenuse squared)")
       ->group(group);
-  command.add_option("--face-size", o.face_size, "Hypotenuse of a mesh face, as a share of W")
-      ->capture_default_str()
+  command
+      .add_option("--face-size", o.face_size,
+                  "Hypotenuse of a mesh face, as a share of W (default: 1.0; the best of several "
+                  "meshes where the area holds few faces)")
       ->group(group);
   command
       .add_option("--opening", o.opening,
@@ -284,8 +286,11 @@ PlanOptions plan_options(const SurveyOptions& o, const Frame& frame) {
   result.vehicle = vehicle_of(o);
   require(o.resolution_m > 0.0, "--resolution", o.resolution_m, "must be above 0 metres");
   result.resolution_m = o.resolution_m;
-  require(o.face_size > 0.0, "--face-size", o.face_size, "must be above 0");
+  if (o.face_size) require(*o.face_size > 0.0, "--face-size", *o.face_size, "must be above 0");
   result.face_size = o.face_size;
+  require(o.ping_spacing_m > 0.0, "--ping-spacing", o.ping_spacing_m, "must be above 0 metres");
+  result.ping_spacing_m = o.ping_spacing_m;
+  result.threads = o.threads;
   result.bands = bands(o.depth_bands);
   result.smallest_region_m2 = o.smallest_region_m2;
   result.opening = o.opening == "ping" ? Opening::ping : Opening::region;
@@ -368,9 +373,10 @@ Provenance provenance_of(const std::string& command, const SiteOptions& site,
   add("holiday_m2", o.holiday_m2);
   if (command != "score") {
     add("depth_bands", o.depth_bands);
-    add("smallest_region_m2", o.smallest_region_m2.value_or(
-                                  0.5 * std::pow(o.face_size * sonar.beams * o.resolution_m, 2)));
-    add("face_size", o.face_size);
+    add("smallest_region_m2",
+        o.smallest_region_m2.value_or(
+            0.3 * std::pow(o.face_size.value_or(1.0) * sonar.beams * o.resolution_m, 2)));
+    if (o.face_size) add("face_size", *o.face_size);
     add("opening", o.opening);
     add("start", o.start);
     if (o.heading_deg) add("heading_deg", *o.heading_deg);

@@ -36,7 +36,7 @@ struct SurveyOptions {
   std::optional<double> draft_m, margin_m, speed_mps;
   std::string depth_bands = "2";
   std::optional<double> smallest_region_m2;
-  double face_size = 1.0;
+  std::optional<double> face_size;
   std::string opening = "region";
   std::string start;
   std::optional<double> heading_deg;

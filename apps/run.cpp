@@ -58,7 +58,8 @@ ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
 PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const SurveyOptions& options,
                              const Scorer& scorer) {
   const auto start = std::chrono::steady_clock::now();
-  Plan plan = planner.plan(site.planning_ground(), plan_options(options, site.seafloor().frame));
+  Plan plan = planner.plan(site.planning_ground(&scorer.scene()),
+                           plan_options(options, site.seafloor().frame));
   const double planning = seconds_since(start);
   const auto planned = std::chrono::steady_clock::now();
   ScoredRoute scored = scorer.score(planner.label, plan.route);

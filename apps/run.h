@@ -30,6 +30,7 @@ struct PlannedSurvey {
 class Scorer {
  public:
   Scorer(const Site& site, const SurveyOptions& options, bool quiet);
+  [[nodiscard]] const RayScene& scene() const { return scene_; }
   [[nodiscard]] ScoredRoute score(const std::string& label, const Route& route) const;
 
  private:

@@ -13,8 +13,9 @@ struct Site {
   Area survey_area, water, no_go;
 
   [[nodiscard]] const Seafloor& seafloor() const { return imported.seafloor; }
-  [[nodiscard]] PlanningGround planning_ground() const {
-    return {&imported.seafloor, depths.get(), survey_area, water};
+  /// `scene` lets planners look before they choose.
+  [[nodiscard]] PlanningGround planning_ground(const RayScene* scene) const {
+    return {&imported.seafloor, depths.get(), survey_area, water, scene};
   }
 };
 

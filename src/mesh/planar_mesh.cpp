@@ -12,6 +12,7 @@
 #include <map>
 #include <numbers>
 
+#include "mesh/area_query.h"
 #include "mesh/error.h"
 
 namespace swathplan {
@@ -29,8 +30,7 @@ using Mesher = CGAL::Delaunay_mesher_2<Cdt, Criteria>;
 constexpr double kOutlineTolerance = 0.02;  ///< details of the outline that faces do not follow
 constexpr double kLatticeKeepOff = 0.42;    ///< of the lattice step: nodes nearer the outline go
 constexpr double kLargestEdge = 1.6;        ///< of the lattice step, before a face is refined
-/// Lattice steps along a side may stretch by this much to fit a whole number.
-constexpr int kDirectionBins = 180;  ///< half-degree bins over a right angle
+constexpr int kDirectionBins = 180;         ///< half-degree bins over a right angle
 
 /// The direction that most of the outline follows, modulo a right angle.
 double main_direction(const Area& area) {
@@ -103,10 +103,6 @@ double fitted_step(double length, double wanted) {
   return length / std::max(1.0, std::round(length / wanted));
 }
 
-struct Lattice {
-  Vec2 origin, step;
-};
-
 class Builder {
  public:
   Builder(const Area& area, double step) : area_(area), step_(step) {}
@@ -125,19 +121,17 @@ class Builder {
     const Vec2 step(fitted_step(size.x(), step_), fitted_step(size.y(), step_));
     const auto columns = static_cast<int>(std::round(size.x() / step.x()));
     const auto rows = static_cast<int>(std::round(size.y() / step.y()));
-    // Outline points in buckets: the distance to the outline decides which nodes are kept.
+    const AreaQuery query(part);
     for (int r = 1; r < rows; ++r) {
       for (int c = 1; c < columns; ++c) {
         const Vec2 p = box.min + Vec2(step.x() * c, step.y() * r);
-        if (!contains(part, p)) continue;
-        if (distance_to_outline(part, p) < kLatticeKeepOff * step_) continue;
+        if (!query.contains(p) || query.distance(p) < kLatticeKeepOff * step_) continue;
         cdt_.insert(Cdt::Point(p.x(), p.y()));
       }
     }
   }
 
   void refine() {
-    std::vector<Cdt::Point> seeds;
     Mesher mesher(cdt_);
     // No bound on the shape: it would fill the strips along quays with small faces, and every face
     // costs path. Size alone is bounded.
@@ -147,8 +141,6 @@ class Builder {
 
   [[nodiscard]] PlanarMesh mesh(double angle) const {
     PlanarMesh result;
-    std::map<Cdt::Vertex_handle, std::uint32_t> unused;
-    std::unordered_map<Cdt::Vertex_handle, std::uint32_t> index;
     // Faces in a geometric order: CGAL's own order depends on addresses.
     struct Item {
       std::array<Vec2, 3> corner;
@@ -211,7 +203,8 @@ PlanarMesh planar_mesh(const Area& area, const PlanarMeshOptions& options) {
   if (!(options.hypotenuse_m > 0.0))
     throw UsageError("the faces' hypotenuse must be above 0 metres");
   if (area.empty()) throw InvalidInput("the survey area is empty: there is nothing to mesh");
-  const double angle = main_direction(simplify(area, kOutlineTolerance * options.hypotenuse_m));
+  const double angle =
+      main_direction(simplify(area, kOutlineTolerance * options.hypotenuse_m)) + options.turn.rad();
   const Area turned = rotated(outline_for_faces(area, options.hypotenuse_m), -angle);
   Builder builder(turned, options.hypotenuse_m / std::numbers::sqrt2);
   builder.insert_outline();

@@ -4,8 +4,8 @@
 
 namespace swathplan {
 
-/// Lines stop this far before the outline, metres: a line that ends on a quay cannot be sailed.
-inline constexpr double kLineInset = 0.5;
+/// Lines stop this far before the outline, metres: just enough that rounding keeps them in the water.
+inline constexpr double kLineInset = 0.05;
 
 /// Back-and-forth (B&F), today's baseline: parallel lines at spacing W along one direction (the
 /// one with the fewest lines, or `heading`), one opening angle from the mean depth of the whole

@@ -1,27 +1,30 @@
 #include "planners/mdnuc.h"
 
+#include "planners/mesh_choice.h"
 #include "planners/nuc.h"
 
 namespace swathplan {
 
 Plan plan_mdnuc(const PlanningGround& ground, const PlanOptions& options) {
-  Plan plan;
-  plan.mesh = planning_mesh(ground, options);
-  plan.edges = shared_edges(plan.mesh);
-  plan.regions = planning_regions(plan.mesh, plan.edges, ground, options);
-  plan.gates = choose_gates(plan.mesh, plan.edges, plan.regions, *ground.depths);
+  return best_mesh_plan(ground, options, [&](PlanarMesh mesh) {
+    Plan plan;
+    plan.mesh = std::move(mesh);
+    plan.edges = shared_edges(plan.mesh);
+    plan.regions = planning_regions(plan.mesh, plan.edges, ground, options);
+    plan.gates = choose_gates(plan.mesh, plan.edges, plan.regions, *ground.depths);
 
-  std::vector<char> open(plan.edges.size(), 1);
-  for (const std::uint32_t blocked : plan.gates.blocked_edges) open[blocked] = 0;
-  std::vector<FanAngles> fans;
-  for (const DepthRegion& region : plan.regions.regions) {
-    fans.push_back(fan_for_depth(options, region.mean_depth_m));
-    plan.openings.push_back(fans.back().port + fans.back().starboard);
-  }
-  plan.route = skeleton_route(nuc_skeleton(plan.mesh, plan.edges, open), plan.regions.region_of,
-                              fans, ground, options, plan.notes);
-  if (options.opening == Opening::ping) plan.route = opened_per_ping(plan.route, ground, options);
-  return plan;
+    std::vector<char> open(plan.edges.size(), 1);
+    for (const std::uint32_t blocked : plan.gates.blocked_edges) open[blocked] = 0;
+    std::vector<FanAngles> fans;
+    for (const DepthRegion& region : plan.regions.regions) {
+      fans.push_back(fan_for_depth(options, region.mean_depth_m));
+      plan.openings.push_back(fans.back().port + fans.back().starboard);
+    }
+    plan.route = skeleton_route(nuc_skeleton(plan.mesh, plan.edges, open), plan.regions.region_of,
+                                fans, ground, options, plan.notes);
+    if (options.opening == Opening::ping) plan.route = opened_per_ping(plan.route, ground, options);
+    return plan;
+  });
 }
 
 }  // namespace swathplan

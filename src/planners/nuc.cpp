@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "planners/mesh_choice.h"
 #include "planners/water_path.h"
 
 namespace swathplan {
@@ -18,6 +20,11 @@ constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 constexpr double kCrossingMargin = 0.04;
 /// ... and where it is led across when the straight way would miss that half.
 constexpr double kCrossingAt = 0.25;
+
+/// An arc takes this share of the way that it could take. Measured on saddle, shaft and harbour:
+/// smaller arcs leave the outside of corners empty where cells are wide, larger ones cut corners
+/// that pings each cell's width cannot fill again.
+constexpr double kCornerShare = 0.3;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -60,26 +67,11 @@ struct SubFacets {
   }
 };
 
-/// Shared edges around each face, as index ranges into one array.
-struct FaceEdges {
-  std::vector<std::uint32_t> start, items;
-
-  FaceEdges(std::size_t faces, const std::vector<SharedEdge>& edges, const std::vector<char>& open)
-      : start(faces + 1, 0) {
-    const auto each = [&](auto&& visit) {
-      for (std::uint32_t i = 0; i < edges.size(); ++i) {
-        if (!open.empty() && open[i] == 0) continue;
-        visit(edges[i].face[0], i);
-        visit(edges[i].face[1], i);
-      }
-    };
-    each([&](std::uint32_t f, std::uint32_t) { ++start[f + 1]; });
-    for (std::size_t f = 1; f < start.size(); ++f) start[f] += start[f - 1];
-    items.resize(start.back());
-    std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
-    each([&](std::uint32_t f, std::uint32_t i) { items[at[f]++] = i; });
-  }
-};
+/// Root of a set, its path halved on the way.
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t f) {
+  while (parent[f] != f) f = parent[f] = parent[parent[f]];
+  return f;
+}
 
 /// Splices the cycles of the two faces of an edge together: leaves the first face at the corner
 /// where the edge begins, walks the second face's cycle, and returns at the corner where it ends.
@@ -95,53 +87,107 @@ void splice(const SharedEdge& e, SubFacets& sub) {
   sub.next[b_begin] = a_end;
 }
 
-/// The point on the shared edge of two sub-facets through which the way must be led, if the
-/// straight one misses the half-edge that they share.
-std::optional<Vec2> crossing_point(const PlanarMesh& mesh, const SubFacets& sub, std::uint32_t i,
-                                   std::uint32_t j) {
-  const std::uint32_t f = sub.face[i];
-  const std::uint32_t g = sub.face[j];
-  if (f == g) return std::nullopt;
-  const auto corner = [&](std::uint32_t s) {
-    return mesh.faces[sub.face[s]][s - sub.first[sub.face[s]]];
-  };
-  // Both quads touch the same vertex; the other end of the edge is next to it in both faces.
-  const std::uint32_t shared = corner(i);
-  const auto neighbours = [&](std::uint32_t s) {
+/// Where the way between two sub-facets crosses the edge that their faces share.
+struct Crossing {
+  double share = 0.5;          ///< of the way
+  std::optional<Vec2> detour;  ///< point of the half-edge to go by, if the straight way misses it
+};
+
+Crossing crossing(const PlanarMesh& mesh, const SubFacets& sub, std::uint32_t i, std::uint32_t j) {
+  const auto corners = [&](std::uint32_t s) {
     const auto& face = mesh.faces[sub.face[s]];
     const auto n = static_cast<std::uint32_t>(face.size());
     const std::uint32_t k = s - sub.first[sub.face[s]];
-    return std::array<std::uint32_t, 2>{face[(k + n - 1) % n], face[(k + 1) % n]};
+    return std::array<std::uint32_t, 3>{face[(k + n - 1) % n], face[k], face[(k + 1) % n]};
   };
-  // Counter-clockwise walks: the path leaves f over the edge that begins at the corner, or comes
-  // back over the one that ends there; in g it is the other way round.
-  const auto [f_before, f_after] = neighbours(i);
-  const auto [g_before, g_after] = neighbours(j);
-  const std::uint32_t other = f_after == g_before ? f_after : f_before;
+  // Both quads touch the same vertex. Faces run counter-clockwise, so the other end of the shared
+  // edge follows it in one face and comes before it in the other.
+  const auto [i_before, shared, i_after] = corners(i);
+  const auto [j_before, also_shared, j_after] = corners(j);
+  const std::uint32_t other = i_after == j_before ? i_after : i_before;
   const Vec2& u = mesh.vertices[shared];
   const Vec2 along = mesh.vertices[other] - u;
   const Vec2& from = sub.centroid[i];
   const Vec2 way = sub.centroid[j] - from;
   const double denominator = cross(way, along);
   if (denominator != 0.0) {
-    const double t = cross(way, from - u) / cross(way, along);
-    if (t >= kCrossingMargin && t <= 0.5 - kCrossingMargin) return std::nullopt;
+    const double at_edge = cross(way, from - u) / denominator;
+    if (at_edge >= kCrossingMargin && at_edge <= 0.5 - kCrossingMargin) {
+      return {cross(u - from, along) / denominator, std::nullopt};
+    }
   }
-  return u + kCrossingAt * along;
+  return {0.5, u + kCrossingAt * along};
 }
 
 SkeletonCycle walk(const PlanarMesh& mesh, const SubFacets& sub, std::uint32_t start) {
   SkeletonCycle cycle;
   std::uint32_t i = start;
+  double behind = 0.0;
   do {
     const std::uint32_t f = sub.face[i];
-    cycle.push_back({sub.centroid[i], f, i - sub.first[f], true});
     const std::uint32_t j = sub.next[i];
-    if (const auto p = crossing_point(mesh, sub, i, j))
-      cycle.push_back({*p, f, i - sub.first[f], false});
+    const double length = (sub.centroid[j] - sub.centroid[i]).norm();
+    SkeletonPoint point{sub.centroid[i], f, i - sub.first[f], true, length, behind};
+    behind = length;
+    if (sub.face[j] == f) {
+      cycle.push_back(point);
+    } else {
+      const Crossing over = crossing(mesh, sub, i, j);
+      point.ahead_m = over.share * length;
+      behind = (1.0 - over.share) * length;
+      if (over.detour) {
+        // Led over a point of the edge: no arc may cut that corner.
+        point.ahead_m = (*over.detour - point.position).norm();
+        behind = (sub.centroid[j] - *over.detour).norm();
+        cycle.push_back(point);
+        cycle.push_back({*over.detour, f, i - sub.first[f], false, 0.0, 0.0});
+      } else {
+        cycle.push_back(point);
+      }
+    }
     i = j;
   } while (i != start);
+  cycle.front().behind_m = behind;
   return cycle;
+}
+
+}  // namespace
+
+namespace {
+
+/// What splicing over an edge adds to the path: two links across it for one along each side.
+double splice_cost(const SharedEdge& e, const SubFacets& sub) {
+  const auto size = [&](std::uint32_t f) { return sub.first[f + 1] - sub.first[f]; };
+  const auto at = [&](int side, std::uint32_t step) {
+    const std::uint32_t f = e.face[static_cast<std::size_t>(side)];
+    const std::uint32_t k = e.edge[static_cast<std::size_t>(side)] + step;
+    return sub.centroid[sub.first[f] + (k < size(f) ? k : k - size(f))];
+  };
+  const Vec2 a0 = at(0, 0), a1 = at(0, 1), b0 = at(1, 0), b1 = at(1, 1);
+  return (a0 - b1).norm() + (a1 - b0).norm() - (a0 - a1).norm() - (b0 - b1).norm();
+}
+
+/// Edges by cost in kLevels steps, cheapest first, in their own order within a step: a counting
+/// sort, so that the whole stays linear.
+std::vector<std::uint32_t> by_cost(const std::vector<float>& cost, const std::vector<char>& open) {
+  constexpr std::size_t kLevels = 4096;
+  float low = std::numeric_limits<float>::infinity();
+  float high = -low;
+  for (const float c : cost) {
+    low = std::min(low, c);
+    high = std::max(high, c);
+  }
+  const float scale = high > low ? static_cast<float>(kLevels - 1) / (high - low) : 0.0F;
+  const auto level = [&](std::size_t i) {
+    return static_cast<std::size_t>((cost[i] - low) * scale);
+  };
+  std::vector<std::uint32_t> start(kLevels + 1, 0);
+  for (std::size_t i = 0; i < cost.size(); ++i) ++start[level(i) + 1];
+  for (std::size_t l = 1; l < start.size(); ++l) start[l] += start[l - 1];
+  std::vector<std::uint32_t> order(cost.size());
+  for (std::uint32_t i = 0; i < cost.size(); ++i) order[start[level(i)]++] = i;
+  if (!open.empty()) std::erase_if(order, [&](std::uint32_t i) { return open[i] == 0; });
+  return order;
 }
 
 }  // namespace
@@ -150,32 +196,61 @@ std::vector<SkeletonCycle> nuc_skeleton(const PlanarMesh& mesh,
                                         const std::vector<SharedEdge>& edges,
                                         const std::vector<char>& open) {
   SubFacets sub(mesh);
-  const FaceEdges around(mesh.faces.size(), edges, open);
-  std::vector<char> seen(mesh.faces.size(), 0);
-  std::vector<std::uint32_t> queue;
-  std::vector<std::uint32_t> roots;
-  queue.reserve(mesh.faces.size());
-  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-    if (seen[f] != 0) continue;
-    roots.push_back(f);
-    seen[f] = 1;
-    std::size_t head = queue.size();
-    queue.push_back(f);
-    for (; head < queue.size(); ++head) {
-      const std::uint32_t here = queue[head];
-      for (std::uint32_t k = around.start[here]; k < around.start[here + 1]; ++k) {
-        const SharedEdge& e = edges[around.items[k]];
-        const std::uint32_t there = e.face[0] == here ? e.face[1] : e.face[0];
-        if (seen[there] != 0) continue;
-        seen[there] = 1;
-        queue.push_back(there);
-        splice(e, sub);
-      }
-    }
+  std::vector<float> cost;
+  cost.reserve(edges.size());
+  for (const SharedEdge& e : edges) cost.push_back(static_cast<float>(splice_cost(e, sub)));
+  std::vector<std::uint32_t> parent(mesh.faces.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  for (const std::uint32_t i : by_cost(cost, open)) {
+    const std::uint32_t a = root_of(parent, edges[i].face[0]);
+    const std::uint32_t b = root_of(parent, edges[i].face[1]);
+    if (a == b) continue;
+    parent[std::max(a, b)] = std::min(a, b);
+    splice(edges[i], sub);
   }
   std::vector<SkeletonCycle> cycles;
-  for (const std::uint32_t f : roots) cycles.push_back(walk(mesh, sub, sub.first[f]));
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+    if (parent[f] == f) cycles.push_back(walk(mesh, sub, sub.first[f]));
+  }
   return cycles;
+}
+
+std::vector<SkeletonPoint> rounded(const std::vector<SkeletonPoint>& p) {
+  constexpr double kStraight = 1e-6;  // radians: no arc is worth its points
+  std::vector<SkeletonPoint> result;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (i == 0 || i + 1 == p.size() || !p[i].sub_facet) {
+      result.push_back(p[i]);
+      continue;
+    }
+    const Vec2 in = p[i].position - p[i - 1].position;
+    const Vec2 out = p[i + 1].position - p[i].position;
+    const double turn = std::atan2(cross(in, out), in.dot(out));
+    const double reach =
+        kCornerShare * std::min({0.5 * in.norm(), 0.5 * out.norm(), p[i].ahead_m, p[i].behind_m});
+    if (std::abs(turn) < kStraight || !(reach > 0.0)) {
+      result.push_back(p[i]);
+      continue;
+    }
+    // Arc from p - reach * in to p + reach * out; its radius follows from the turn.
+    const double radius = reach / std::tan(0.5 * std::abs(turn));
+    const Vec2 begin = p[i].position - reach * in.normalized();
+    const Vec2 left(-in.normalized().y(), in.normalized().x());
+    const double side = turn > 0.0 ? 1.0 : -1.0;
+    const Vec2 centre = begin + side * radius * left;
+    const auto parts =
+        static_cast<int>(std::ceil(std::abs(turn) / Angle::degrees(kArcStepDeg).rad()));
+    for (int k = 0; k <= parts; ++k) {
+      const double angle = turn * k / parts;
+      const double c = std::cos(angle);
+      const double s = std::sin(angle);
+      const Vec2 arm = begin - centre;
+      SkeletonPoint point = p[i];
+      point.position = centre + Vec2(c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y());
+      result.push_back(point);
+    }
+  }
+  return result;
 }
 
 namespace {
@@ -222,8 +297,7 @@ Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
       begin_near(*pick, pick->front().position);
     }
     std::vector<Waypoint> points;
-    points.reserve(pick->size());
-    for (const SkeletonPoint& point : *pick) {
+    for (const SkeletonPoint& point : rounded(*pick)) {
       Waypoint w;
       w.position = point.position;
       w.line = line;
@@ -243,17 +317,19 @@ Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
 }
 
 Plan plan_nuc(const PlanningGround& ground, const PlanOptions& options) {
-  Plan plan;
-  plan.mesh = planning_mesh(ground, options);
-  plan.edges = shared_edges(plan.mesh);
-  const DepthRegions whole =
-      depth_regions(plan.mesh, plan.edges, *ground.depths, {.bands = {.count = 1, .limits = {}}});
-  const FanAngles fan = fan_for_depth(options, mean_depth_m(whole));
-  plan.openings = {fan.port + fan.starboard};
-  plan.route =
-      skeleton_route(nuc_skeleton(plan.mesh, plan.edges), {}, {fan}, ground, options, plan.notes);
-  if (options.opening == Opening::ping) plan.route = opened_per_ping(plan.route, ground, options);
-  return plan;
+  return best_mesh_plan(ground, options, [&](PlanarMesh mesh) {
+    Plan plan;
+    plan.mesh = std::move(mesh);
+    plan.edges = shared_edges(plan.mesh);
+    const DepthRegions whole =
+        depth_regions(plan.mesh, plan.edges, *ground.depths, {.bands = {.count = 1, .limits = {}}});
+    const FanAngles fan = fan_for_depth(options, mean_depth_m(whole));
+    plan.openings = {fan.port + fan.starboard};
+    plan.route =
+        skeleton_route(nuc_skeleton(plan.mesh, plan.edges), {}, {fan}, ground, options, plan.notes);
+    if (options.opening == Opening::ping) plan.route = opened_per_ping(plan.route, ground, options);
+    return plan;
+  });
 }
 
 }  // namespace swathplan

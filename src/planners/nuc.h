@@ -14,6 +14,8 @@ struct SkeletonPoint {
   std::uint32_t face = 0;
   std::uint32_t corner = 0;  ///< the sub-facet is the quad at this corner of the face
   bool sub_facet = true;     ///< false for a point on an edge
+  double ahead_m = 0.0;      ///< of the way to the next point, what lies in this face
+  double behind_m = 0.0;     ///< of the way from the point before, what lies in this face
 };
 
 /// A closed path through every sub-facet of one connected part of a mesh.
@@ -35,6 +37,14 @@ using SkeletonCycle = std::vector<SkeletonPoint>;
 
 /// NUC on the whole survey area with one opening angle from its mean depth.
 [[nodiscard]] Plan plan_nuc(const PlanningGround& ground, const PlanOptions& options);
+
+/// The path along skeleton points `p` with each corner rounded by an arc that touches the ways to
+/// and from it, at most half-way and never outside the corner's own face: so it crosses no edge
+/// that the skeleton does not cross, nor itself. Arcs are drawn in chords of at most
+/// `kArcStepDeg` degrees. A fan that turns through a corner sweeps its outside, a jump in course
+/// leaves it empty; and the arc is the shorter way.
+[[nodiscard]] std::vector<SkeletonPoint> rounded(const std::vector<SkeletonPoint>& p);
+inline constexpr double kArcStepDeg = 3.0;
 
 /// Skeleton cycles -> route: each cycle opened at its point nearest to `start` (or to where the
 /// part before ended), parts joined by transits through the water. `fan[region]` is the fan of a

@@ -24,8 +24,8 @@ void check(const PlanOptions& options) {
   if (!(opening > 0.0 && opening < 180.0)) {
     throw UsageError(fmt::format("--max-opening {:g}; must lie in (0, 180) degrees", opening));
   }
-  if (!(options.face_size > 0.0) || !std::isfinite(options.face_size)) {
-    throw UsageError(fmt::format("--face-size {}; must be above 0", options.face_size));
+  if (options.face_size && !(*options.face_size > 0.0 && std::isfinite(*options.face_size))) {
+    throw UsageError(fmt::format("--face-size {}; must be above 0", *options.face_size));
   }
   if (options.smallest_region_m2 && !(*options.smallest_region_m2 >= 0.0)) {
     throw UsageError(fmt::format("--smallest-region {}; must be 0 or more square metres",
@@ -35,18 +35,18 @@ void check(const PlanOptions& options) {
 
 PlanarMesh planning_mesh(const PlanningGround& ground, const PlanOptions& options) {
   check(options);
-  return planar_mesh(ground.survey_area,
-                     {.hypotenuse_m = options.face_size * footprint_width_m(options)});
+  return planar_mesh(ground.survey_area, {.hypotenuse_m = options.face_size.value_or(1.0) *
+                                                          footprint_width_m(options)});
 }
 
 DepthRegions planning_regions(const PlanarMesh& mesh, const std::vector<SharedEdge>& edges,
                               const PlanningGround& ground, const PlanOptions& options) {
   const double width = footprint_width_m(options);
-  const double face = options.face_size * width;
+  const double face = options.face_size.value_or(1.0) * width;
   return depth_regions(
       mesh, edges, *ground.depths,
       {.bands = options.bands,
-       .smallest_region_m2 = options.smallest_region_m2.value_or(0.5 * face * face)});
+       .smallest_region_m2 = options.smallest_region_m2.value_or(0.3 * face * face)});
 }
 
 double mean_depth_m(const DepthRegions& regions) {
@@ -60,7 +60,8 @@ double mean_depth_m(const DepthRegions& regions) {
 }
 
 FanAngles fan_for_depth(const PlanOptions& options, double depth_m) {
-  const Angle half = half_angle(options.sonar, footprint_width_m(options), depth_m);
+  const double below_sonar = depth_m - options.vehicle.draft_m;
+  const Angle half = half_angle(options.sonar, footprint_width_m(options), below_sonar);
   return {half, half};
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "coverage/ray_scene.h"
 #include "coverage/route.h"
 #include "coverage/sonar.h"
 #include "coverage/vehicle.h"
@@ -21,6 +22,9 @@ struct PlanningGround {
   const DepthQuery* depths = nullptr;
   Area survey_area;  ///< to be covered
   Area water;        ///< where the boat may be; holds the survey area
+  /// For planners that try candidates on the simulator before they choose; without one they take
+  /// their first candidate.
+  const RayScene* scene = nullptr;
 };
 
 /// How the fan opens along the way.
@@ -33,9 +37,14 @@ struct PlanOptions {
   Sonar sonar;
   Vehicle vehicle;
   double resolution_m = 0.10;
-  double face_size = 1.0;  ///< hypotenuse of a mesh face as a share of W, > 0
+  /// Hypotenuse of a mesh face as a share of W, > 0. Empty: 1.0, and where the area holds few faces
+  /// the best of several meshes (mesh_choice.h).
+  std::optional<double> face_size;
+  double ping_spacing_m = 0.10;  ///< that candidates are judged with, > 0
+  int threads = 0;               ///< 0: all cores; no result depends on it
   DepthBands bands;
-  /// Regions under this join a neighbour, m^2; empty: half a W x W square.
+  /// Regions under this join a neighbour, m^2; empty: 0.3 of a hypotenuse squared, a little over a
+  /// regular face.
   std::optional<double> smallest_region_m2;
   Opening opening = Opening::region;
   std::optional<Vec2> start;     ///< begin as near to this as the planner can
@@ -59,7 +68,8 @@ struct Plan {
 /// @throws UsageError that names the option, its value and the rule.
 void check(const PlanOptions& options);
 
-/// The mesh that NUC and MDNUC walk: the survey area in faces of `face_size` x W.
+/// The mesh that planners walk unless they look for a better one: the survey area in faces of
+/// `face_size` x W (1.0 where it is empty).
 [[nodiscard]] PlanarMesh planning_mesh(const PlanningGround& ground, const PlanOptions& options);
 
 /// Depth regions of the planning mesh with the options' bands and sliver size.
@@ -71,7 +81,8 @@ void check(const PlanOptions& options);
 /// Plan-area-weighted mean depth of the survey area's seafloor, metres.
 [[nodiscard]] double mean_depth_m(const DepthRegions& regions);
 
-/// Symmetric fan that sweeps W at `depth_m`, capped by the sonar (2 atan(W/2 / depth) in all).
+/// Symmetric fan that sweeps W at `depth_m`: 2 atan(W/2 / depth below the sonar) in all, capped by
+/// the sonar. The sonar hangs at the draft; measured from the water line the fan would fall short.
 [[nodiscard]] FanAngles fan_for_depth(const PlanOptions& options, double depth_m);
 
 /// Opens the fan anew each `step_m` of path from the depth below, so that it sweeps W everywhere.

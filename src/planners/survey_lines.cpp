@@ -10,8 +10,7 @@ namespace {
 
 /// Pieces shorter than this share of the spacing are crumbs at corners.
 constexpr double kCrumb = 0.2;
-/// A join to the next block counts this much of the spacing on top of its length when azimuths are
-/// compared: a turn is never free.
+/// Azimuths are tried in these steps, besides the outline's own sides.
 constexpr double kStepDeg = 5.0;
 
 Vec2 along(Angle azimuth) { return {sin(azimuth), cos(azimuth)}; }
@@ -75,16 +74,15 @@ Angle best_azimuth(const Area& area, double spacing_m) {
       candidates.push_back(std::fmod(deg + 360.0, 180.0));
     }
   }
-  double best_cost = std::numeric_limits<double>::infinity();
+  double best_width = std::numeric_limits<double>::infinity();
   Angle best;
   for (const double deg : candidates) {
     const Angle azimuth = Angle::degrees(deg);
-    const auto lines = parallel_lines(area, {.azimuth = azimuth, .spacing_m = spacing_m});
-    double cost = 0.0;
-    for (const SurveyLine& line : lines) cost += (line.to - line.from).norm() + spacing_m;
-    // A whole step of advantage is asked for, so that ties do not turn on rounding.
-    if (cost < best_cost - 1e-6 * spacing_m) {
-      best_cost = cost;
+    const Range range = range_along(area, across(azimuth));
+    const double width = range.high - range.low;
+    // The narrowest way across needs the fewest lines; a direction must win by more than rounding.
+    if (width < best_width * (1.0 - 1e-9)) {
+      best_width = width;
       best = azimuth;
     }
   }

@@ -26,8 +26,8 @@ struct ParallelLinesOptions {
 [[nodiscard]] std::vector<SurveyLine> parallel_lines(const Area& area,
                                                      const ParallelLinesOptions& options);
 
-/// The azimuth in [0, 180) degrees with the fewest and then shortest parallel lines: along one of
-/// the outline's longer sides or a whole number of 5 degrees.
+/// The azimuth in [0, 180) degrees across which the area is narrowest, so that the fewest lines are
+/// needed: along one of the outline's longer sides or a whole number of 5 degrees.
 [[nodiscard]] Angle best_azimuth(const Area& area, double spacing_m);
 
 /// Orders and turns lines for sailing: neighbouring rows that overlap one to one make a block that
