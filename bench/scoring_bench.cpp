@@ -191,12 +191,12 @@ void run_all(int threads) {
   const Angle half = half_angle(sonar, footprint_width_m(sonar, 0.10), 35.0);
   const Angle heading = Angle::degrees(30);
   const Seafloor small = saddle();
-  compare("saddle at 0.10 m", small, winding_route(extent(small), 10.0, heading, {half, half}),
+  compare("saddle at 0.10 m", small, winding_route(extent(small), 7.5, heading, {half, half}),
           0.10, threads);
   const Seafloor large = large_saddle(500);
   const Angle wide = half_angle(sonar, footprint_width_m(sonar, 0.10), 20.0);
   compare("500k triangles at 0.10 m", large,
-          winding_route(extent(large), 20.0, heading, {wide, wide}), 0.10, threads);
+          winding_route(extent(large), 7.5, heading, {wide, wide}), 0.10, threads);
 }
 
 }  // namespace

@@ -36,44 +36,133 @@ BeamWidths::BeamWidths(const Sonar& sonar)
     : half_along(static_cast<float>(tan(sonar.beam_width_along / 2.0))),
       half_across(static_cast<float>(sonar.beam_width_across.rad() / 2.0)) {}
 
-void FootprintPieces::build(const FanSoundings& fan, const BeamWidths& widths,
-                            float cells_per_metre) {
+void FanFootprints::build(const FanSoundings& fan, const BeamWidths& widths,
+                          const CellFrame& cells) {
+  frame = cells;
   const std::size_t n = fan.table->padded;
-  cap_port_.resize(n);
-  cap_starboard_.resize(n);
-  left.resize(n);
-  right.resize(n);
-  half_along.resize(n);
-  reach(n, fan, widths.half_across, cells_per_metre, cap_port_.data(), cap_starboard_.data());
-  const float half = widths.half_along * cells_per_metre;
-  std::size_t count = 0;
-  float before = -kNoHalf;  // sounding of the last piece
-  for (std::size_t i = 0; i < fan.table->beams; ++i) {
-    if (!(fan.range[i] > 0.0F)) continue;
-    const float at = fan.starboard[i] * cells_per_metre;
-    // Beams that climb a wall lie above one another: the first of them stands for all.
-    if (!(at > before)) continue;
-    left[count] = at - cap_port_[i];
-    right[count] = at + cap_starboard_[i];
-    half_along[count] = fan.range[i] * half;
-    if (count > 0 && right[count - 1] > left[count]) {
-      // Where two footprints overlap each gives way to the other about half-way.
-      const float border = std::clamp(0.5F * (before + at), left[count], right[count - 1]);
-      right[count - 1] = left[count] = border;
-    }
-    before = at;
-    ++count;
+  for (auto* array : {&cap_port_, &cap_starboard_, &at, &left, &right, &half_along}) {
+    array->resize(n);
   }
-  left.resize(count);
-  right.resize(count);
-  half_along.resize(count);
+  const float scale = cells.cells_per_metre;
+  reach(n, fan, widths.half_across, scale, cap_port_.data(), cap_starboard_.data());
+  const float half = widths.half_along * scale;
+  const std::size_t count = fan.table->beams;
+  std::size_t last = count;  // the footprint before
+  shortest = -kNoFootprint;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float v = fan.starboard[i] * scale;
+    at[i] = v;
+    half_along[i] = kNoFootprint;
+    left[i] = right[i] = v;
+    // Beams that climb a wall lie above one another: the first of them stands for all.
+    if (!(fan.range[i] > 0.0F) || (last < count && !(v > at[last]))) continue;
+    left[i] = v - cap_port_[i];
+    right[i] = v + cap_starboard_[i];
+    half_along[i] = fan.range[i] * half;
+    shortest = std::min(shortest, half_along[i]);
+    if (last < count && right[last] > left[i]) {
+      // Where two footprints overlap each gives way to the other about half-way.
+      const float border = std::min(std::max(0.5F * (at[last] + v), left[i]), right[last]);
+      right[last] = left[i] = border;
+    }
+    last = i;
+  }
+  for (auto* array : {&at, &left, &right, &half_along}) array->resize(count);
+}
+
+namespace {
+
+// Beams to either side over which a reach is sure: a floor that slopes along the course moves the
+// soundings across by a few beams from one key ping to the next.
+constexpr std::size_t kSureBeams = 4;
+constexpr std::size_t kSureSpan = 2 * kSureBeams + 1;
+// Cells by which rounding may misplace a footprint.
+constexpr float kCellDust = 2e-3F;
+
+SWATHPLAN_EVERY_CPU
+void least_of_span(std::size_t n, const float* values, float* least) {
+  for (std::size_t i = 0; i < n; ++i) least[i] = values[i];
+  for (std::size_t j = 1; j < kSureSpan; ++j) {
+    for (std::size_t i = 0; i < n; ++i) least[i] = std::min(least[i], values[i + j]);
+  }
+}
+
+struct Between {
+  float from_key, to_next;  // cells of path
+};
+
+// 1 for each beam whose footprint lies within those of the key pings before and behind, or that has
+// none.
+SWATHPLAN_EVERY_CPU
+void covered_beams(std::size_t n, const Between& way, const float* left, const float* right,
+                   const float* half, const float* low1, const float* high1, const float* least1,
+                   const float* low2, const float* high2, const float* least2,
+                   std::int32_t* covered) {
+  const float whole = way.from_key + way.to_next + kCellDust;
+  for (std::size_t i = 0; i < n; ++i) {
+    const float h = half[i] + kCellDust;
+    const float low = std::max(low1[i], low2[i]) + kCellDust;
+    const float high = std::min(high1[i], high2[i]) - kCellDust;
+    const bool within = (left[i] >= low) & (right[i] <= high) & (h <= least1[i] + way.from_key) &
+                        (h <= least2[i] + way.to_next) & (whole <= least1[i] + least2[i]);
+    covered[i] = static_cast<std::int32_t>(within | (half[i] < 0.0F));
+  }
+}
+
+// Path from ping a to ping b, in cells, if they sail the same line and log the same.
+bool follows(const FanFootprints& a, const FanFootprints& b, float& way) {
+  const CellFrame& f = a.frame;
+  const CellFrame& g = b.frame;
+  if (f.starboard_x != g.starboard_x || f.starboard_y != g.starboard_y || a.log != b.log ||
+      a.beams() != b.beams()) {
+    return false;
+  }
+  const float dx = static_cast<float>(g.column - f.column) + (g.x - f.x);
+  const float dy = static_cast<float>(g.row - f.row) + (g.y - f.y);
+  way = -dx * f.starboard_y + dy * f.starboard_x;
+  const float aside = dx * f.starboard_x + dy * f.starboard_y;
+  return std::abs(aside) < 0.5F * kCellDust && way >= 0.0F;
+}
+
+}  // namespace
+
+void SureReach::build(const FanFootprints& fan) {
+  const std::size_t n = fan.beams();
+  // Beyond the outermost beams nothing is asked for, but nothing is covered either.
+  at_.assign(n + 2 * kSureBeams, n > 0 ? fan.left[0] : 0.0F);
+  cover_.assign(n + 2 * kSureBeams, -FanFootprints::kNoFootprint);
+  low.resize(n);
+  high.resize(n);
+  least.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool joined = i + 1 == n || fan.right[i] >= fan.left[i + 1];
+    at_[i + kSureBeams] = fan.at[i];
+    cover_[i + kSureBeams] = joined ? fan.half_along[i] : FanFootprints::kNoFootprint;
+  }
+  for (std::size_t j = 0; j < kSureBeams && n > 0; ++j) at_[n + kSureBeams + j] = fan.right[n - 1];
+  std::copy_n(at_.begin(), n, low.begin());
+  std::copy_n(at_.begin() + 2 * kSureBeams, n, high.begin());
+  least_of_span(n, cover_.data(), least.data());
+}
+
+void FootprintPieces::assign(const FanFootprints& fan, std::size_t first, std::size_t end) {
+  left.clear();
+  right.clear();
+  half_along.clear();
+  for (std::size_t i = first; i < end; ++i) {
+    if (fan.half_along[i] < 0.0F) continue;
+    left.push_back(fan.left[i]);
+    right.push_back(fan.right[i]);
+    half_along.push_back(fan.half_along[i]);
+  }
 }
 
 bool FootprintPieces::covers(float along, float starboard) const {
-  const auto after = std::upper_bound(left.begin(), left.end(), starboard);
-  auto p = static_cast<std::size_t>(after - left.begin());
-  while (p-- > 0 && right[p] >= starboard) {
-    if (std::abs(along) <= half_along[p]) return true;
+  const std::int64_t bin = std::int64_t{floor_to_int(starboard)} - first_bin;
+  if (bin < 0 || bin >= static_cast<std::int64_t>(first_in_bin.size())) return false;
+  for (std::size_t p = first_in_bin[static_cast<std::size_t>(bin)];
+       p < left.size() && left[p] <= starboard; ++p) {
+    if (right[p] >= starboard && std::abs(along) <= half_along[p]) return true;
   }
   return false;
 }
@@ -130,11 +219,13 @@ void FootprintSweep::profile(float reach) {
   const auto r = static_cast<std::int32_t>(std::ceil(reach));
   const std::int32_t low = floor_to_int(pieces_.left.front());
   const std::int32_t high = floor_to_int(pieces_.right.back());
-  first_bin_ = low - r - 1;
   const auto bins = static_cast<std::size_t>(high - low + 1 + 4 * (r + 1));
   least_.assign(bins, kNoHalf);
   most_.assign(bins, 0.0F);
+  constexpr auto kNoPiece = std::numeric_limits<std::uint32_t>::max();
+  pieces_.first_in_bin.assign(bins, kNoPiece);
   const std::int32_t base = low - 2 * (r + 1);
+  pieces_.first_bin = base;
   const auto gap = [&](std::int32_t from, std::int32_t to) {
     for (std::int32_t k = from; k <= to; ++k) least_[static_cast<std::size_t>(k - base)] = 0.0F;
   };
@@ -145,6 +236,8 @@ void FootprintSweep::profile(float reach) {
       const auto bin = static_cast<std::size_t>(k - base);
       least_[bin] = std::min(least_[bin], pieces_.half_along[p]);
       most_[bin] = std::max(most_[bin], pieces_.half_along[p]);
+      pieces_.first_in_bin[bin] =
+          std::min(pieces_.first_in_bin[bin], static_cast<std::uint32_t>(p));
     }
     if (p + 1 < pieces_.left.size() && pieces_.right[p] < pieces_.left[p + 1]) {
       gap(end, floor_to_int(pieces_.left[p + 1]));
@@ -214,8 +307,13 @@ void FootprintSweep::add_lines(const LineFrame& f) {
                       -f.along_a / f.along_b, 1.0F / std::abs(f.along_b)};
   line_intervals(n, sums, first_bin_, window_least_.data(), window_most_.data(), sure_low_.data(),
                  sure_high_.data(), low_.data(), high_.data());
+  const auto offset = static_cast<std::size_t>(f.line + first - patch_.first_line);
   for (std::size_t i = 0; i < n; ++i) {
-    if (low_[i] > high_[i]) continue;
+    // Nothing new where the line has it all already.
+    if (low_[i] > high_[i] || (f.cell + low_[i] >= patch_.low[offset + i] &&
+                               f.cell + high_[i] <= patch_.high[offset + i])) {
+      continue;
+    }
     const std::int32_t line = first + static_cast<std::int32_t>(i);
     if (low_[i] == sure_low_[i] && high_[i] == sure_high_[i]) {
       merge(f.line + line, f.cell + low_[i], f.cell + high_[i]);
@@ -230,8 +328,12 @@ void FootprintSweep::add_lines(const LineFrame& f) {
 void FootprintSweep::add_line_exactly(const LineFrame& f, std::int32_t line, float across,
                                       std::int32_t low, std::int32_t high, std::int32_t sure_low,
                                       std::int32_t sure_high) {
+  const auto i = static_cast<std::size_t>(f.line + line - patch_.first_line);
+  const std::int32_t had_low = patch_.low[i] - f.cell;
+  const std::int32_t had_high = patch_.high[i] - f.cell;
   const auto covered = [&](std::int32_t cell) {
     if (cell >= sure_low && cell <= sure_high) return true;
+    if (cell >= had_low && cell <= had_high) return true;
     const float db = static_cast<float>(cell) + 0.5F - f.b;
     return pieces_.covers(across * f.along_a + db * f.along_b,
                           across * f.starboard_a + db * f.starboard_b);
@@ -267,7 +369,7 @@ void FootprintSweep::merge(std::int32_t line, std::int32_t low, std::int32_t hig
 
 // Widens the patch to the lines first..last.
 void FootprintSweep::make_room(std::int32_t first, std::int32_t last) {
-  constexpr std::int32_t kNone = std::numeric_limits<std::int32_t>::max();
+  constexpr std::int32_t kNone = 1 << 30;  // no cell; room left to take a position off it
   if (patch_.low.empty()) patch_.first_line = first;
   if (first < patch_.first_line) {
     const auto extra = static_cast<std::size_t>(patch_.first_line - first);
@@ -282,25 +384,90 @@ void FootprintSweep::make_room(std::int32_t first, std::int32_t last) {
   }
 }
 
-void FootprintSweep::add(const FanSoundings& fan, const CellFrame& frame, bool log,
-                         std::vector<SweptPatch>& patches) {
-  pieces_.build(fan, widths_, frame.cells_per_metre);
+void FootprintSweep::add_beams(const FanFootprints& fan, std::size_t first, std::size_t end,
+                               std::vector<SweptPatch>& patches) {
+  pieces_.assign(fan, first, end);
   if (pieces_.left.empty()) return;
   const std::uint32_t flags =
-      CoverageGrid::kFootprint | (log ? CoverageGrid::kLoggedFootprint : 0U);
-  const float along_columns = std::abs(frame.starboard_x);  // |course.y|
-  const float along_rows = std::abs(frame.starboard_y);
+      CoverageGrid::kFootprint | (fan.log ? CoverageGrid::kLoggedFootprint : 0U);
+  const float along_columns = std::abs(fan.frame.starboard_x);  // |course.y|
+  const float along_rows = std::abs(fan.frame.starboard_y);
   const bool turned = (patch_.by_columns ? along_columns : along_rows) < kKeepAxis;
-  if (open_ && (turned || patch_.flags != flags)) flush(patches);
+  if (open_ && (turned || patch_.flags != flags)) close_patch(patches);
   if (!open_) {
     patch_.by_columns = along_columns >= along_rows;
     patch_.flags = flags;
     open_ = true;
   }
-  add_lines(LineFrame(frame, patch_.by_columns));
+  add_lines(LineFrame(fan.frame, patch_.by_columns));
+}
+
+// The beams of a ping between the key pings that are not covered by them, run by run.
+void FootprintSweep::add_uncovered(const FanFootprints& fan, std::vector<SweptPatch>& patches) {
+  const std::size_t n = fan.beams();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (covered_[i] != 0) continue;
+    const std::size_t first = i;
+    while (i < n && covered_[i] == 0) ++i;
+    add_beams(fan, first, i, patches);
+  }
+}
+
+// Makes the last ping that waits the next key ping.
+void FootprintSweep::settle(std::vector<SweptPatch>& patches) {
+  if (waiting_count_ == 0) return;
+  FanFootprints& next = waiting_[waiting_count_ - 1];
+  next_reach_.build(next);
+  covered_.resize(next.beams());
+  for (std::size_t k = 0; k + 1 < waiting_count_; ++k) {
+    const FanFootprints& fan = waiting_[k];
+    Between way{};
+    follows(key_, fan, way.from_key);
+    follows(fan, next, way.to_next);
+    covered_beams(fan.beams(), way, fan.left.data(), fan.right.data(), fan.half_along.data(),
+                  key_reach_.low.data(), key_reach_.high.data(), key_reach_.least.data(),
+                  next_reach_.low.data(), next_reach_.high.data(), next_reach_.least.data(),
+                  covered_.data());
+    add_uncovered(fan, patches);
+  }
+  add_beams(next, 0, next.beams(), patches);
+  std::swap(key_, next);
+  std::swap(key_reach_, next_reach_);
+  waiting_count_ = 0;
+}
+
+void FootprintSweep::add(const FanSoundings& soundings, const CellFrame& frame, bool log,
+                         std::vector<SweptPatch>& patches) {
+  // Key pings this share of a footprint's length apart still overlap well.
+  constexpr float kKeyShare = 1.5F;
+  FanFootprints& fan = waiting_[waiting_count_];
+  fan.log = log;
+  fan.build(soundings, widths_, frame);
+  float way = 0.0F;
+  if (has_key_ && follows(key_, fan, way)) {
+    ++waiting_count_;
+    const float step = way / static_cast<float>(waiting_count_);
+    if (waiting_count_ > kMostBetween || way + step > kKeyShare * key_.shortest) settle(patches);
+    return;
+  }
+  if (waiting_count_ > 0) {
+    FanFootprints first = std::move(fan);
+    settle(patches);
+    waiting_[0] = std::move(first);
+  }
+  add_beams(waiting_[0], 0, waiting_[0].beams(), patches);
+  std::swap(key_, waiting_[0]);
+  key_reach_.build(key_);
+  has_key_ = true;
 }
 
 void FootprintSweep::flush(std::vector<SweptPatch>& patches) {
+  settle(patches);
+  close_patch(patches);
+  has_key_ = false;
+}
+
+void FootprintSweep::close_patch(std::vector<SweptPatch>& patches) {
   if (open_ && !patch_.low.empty()) patches.push_back(std::move(patch_));
   patch_ = {};
   open_ = false;

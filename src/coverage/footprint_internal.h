@@ -36,15 +36,41 @@ struct BeamWidths {
   float half_across;
 };
 
-/// The footprints of one ping in its own plane, left to right, in cells: piece p reaches from
-/// left[p] to right[p] to starboard and half_along[p] ahead and astern. Pieces do not overlap.
-struct FootprintPieces {
-  std::vector<float> left, right, half_along;
-  void build(const FanSoundings& fan, const BeamWidths& widths, float cells_per_metre);
-  [[nodiscard]] bool covers(float along, float starboard) const;
+/// The footprints of one ping in its own plane, in cells, one entry a beam: from left to right of
+/// the fan's middle, and half_along ahead and astern; half_along is kNoFootprint for a beam
+/// without. Footprints do not overlap and ascend to starboard.
+struct FanFootprints {
+  static constexpr float kNoFootprint = -1e30F;
+  CellFrame frame{};
+  bool log = true;
+  std::vector<float> at, left, right, half_along;
+  float shortest = -kNoFootprint;  ///< least half_along of all footprints
+
+  void build(const FanSoundings& fan, const BeamWidths& widths, const CellFrame& cells);
+  [[nodiscard]] std::size_t beams() const { return at.size(); }
 
  private:
   std::vector<float> cap_port_, cap_starboard_;
+};
+
+/// What a ping surely covers around each of its beams: over the span from low to high it reaches at
+/// least `least` ahead and astern (kNoFootprint where the beams around have a gap).
+struct SureReach {
+  std::vector<float> low, high, least;
+  void build(const FanFootprints& fan);
+
+ private:
+  std::vector<float> at_, cover_;
+};
+
+/// Footprints of some neighbouring beams, without those that have none.
+struct FootprintPieces {
+  std::vector<float> left, right, half_along;
+  /// The first piece that reaches into each whole cell across; cells from `first_bin` on.
+  std::vector<std::uint32_t> first_in_bin;
+  std::int32_t first_bin = 0;
+  void assign(const FanFootprints& fan, std::size_t first, std::size_t end);
+  [[nodiscard]] bool covers(float along, float starboard) const;
 };
 
 /// Cells of one line of the grid, from low to high.
@@ -62,8 +88,11 @@ struct SweptPatch {
   std::uint32_t flags = 0;  ///< to set in the cells
 };
 
-/// Gathers footprints ping by ping. Lines run along the axis nearer to the course, so that the
-/// intervals of successive pings overlap and grow, and each cell is written about once.
+/// Gathers footprints ping by ping. Pings stand much closer than footprints are long, so most of a
+/// ping's footprints lie within those of a ping before and one behind it: such key pings are added
+/// whole, and of those between only the beams for which that cannot be shown.
+/// Lines of the grid are taken along the axis nearer to the course, so that the intervals of
+/// successive pings overlap and grow, and each cell is written about once.
 class FootprintSweep {
  public:
   explicit FootprintSweep(const Sonar& sonar) : widths_(sonar) {}
@@ -75,6 +104,13 @@ class FootprintSweep {
 
  private:
   struct LineFrame;
+  static constexpr std::size_t kMostBetween = 16;
+
+  void settle(std::vector<SweptPatch>& patches);
+  void add_uncovered(const FanFootprints& fan, std::vector<SweptPatch>& patches);
+  void add_beams(const FanFootprints& fan, std::size_t first, std::size_t end,
+                 std::vector<SweptPatch>& patches);
+  void close_patch(std::vector<SweptPatch>& patches);
   void profile(float reach);
   void add_lines(const LineFrame& f);
   void add_line_exactly(const LineFrame& f, std::int32_t line, float across, std::int32_t low,
@@ -83,6 +119,12 @@ class FootprintSweep {
   void make_room(std::int32_t first, std::int32_t last);
 
   BeamWidths widths_;
+  FanFootprints key_;
+  SureReach key_reach_, next_reach_;
+  bool has_key_ = false;
+  std::vector<FanFootprints> waiting_ = std::vector<FanFootprints>(kMostBetween + 1);
+  std::size_t waiting_count_ = 0;
+  std::vector<std::int32_t> covered_;
   FootprintPieces pieces_;
   SweptPatch patch_;
   bool open_ = false;

@@ -63,15 +63,19 @@ class Labels {
 
 class RowReader {
  public:
-  RowReader(const CoverageGrid& grid, bool logged_only) : grid_(grid), logged_(logged_only) {}
+  RowReader(const CoverageGrid& grid, bool logged_only)
+      : grid_(grid),
+        logged_(logged_only),
+        mask_(CoverageGrid::kInArea |
+              (logged_only ? 7U << CoverageGrid::kLoggedShift : CoverageGrid::kCountMask)) {}
 
   void read(std::uint32_t row, std::vector<Run>& runs) const {
     runs.clear();
-    const std::size_t base = std::size_t{row} * grid_.columns();
+    const std::uint32_t* const words = grid_.words().data() + std::size_t{row} * grid_.columns();
     for (std::uint32_t c = 0; c < grid_.columns(); ++c) {
-      if (!empty(base + c)) continue;
+      if ((words[c] & mask_) != CoverageGrid::kInArea) continue;
       const std::uint32_t first = c;
-      while (c < grid_.columns() && empty(base + c)) ++c;
+      while (c < grid_.columns() && (words[c] & mask_) == CoverageGrid::kInArea) ++c;
       runs.push_back({first, c, kNoLabel});
     }
   }
@@ -95,9 +99,6 @@ class RowReader {
   }
 
  private:
-  [[nodiscard]] bool empty(std::size_t i) const {
-    return grid_.counts(i) && (logged_ ? grid_.logged_soundings(i) : grid_.soundings(i)) == 0;
-  }
   [[nodiscard]] bool outline(std::uint32_t row, const Run& run) const {
     if (row == 0 || row + 1 == grid_.rows() || run.first == 0 || run.end == grid_.columns()) {
       return true;
@@ -114,6 +115,7 @@ class RowReader {
 
   const CoverageGrid& grid_;
   bool logged_;
+  std::uint32_t mask_;  // in the area, and soundings
 };
 
 // Calls visit(run above, run) for all pairs that share a column; both lists run west to east.
@@ -149,6 +151,9 @@ class GapSweep {
     }
     for (const Run& up : above) close_if_done(up, grid_.rows(), result);
     prune();
+    const double cell = grid_.resolution_m() * grid_.resolution_m();
+    result.largest_m2 = static_cast<double>(largest_) * cell;
+    result.total_m2 = static_cast<double>(cells_) * cell;
   }
 
   std::vector<Gap>& listed() { return listed_; }
@@ -163,31 +168,46 @@ class GapSweep {
     }
     const std::uint32_t mine = labels_.find(run.label);
     if (mine == root) return;
-    alive_[mine].join(alive_[root]);
-    alive_.erase(root);
+    gaps_[slot_[mine]].join(gaps_[slot_[root]]);
+    free_.push_back(slot_[root]);
     labels_.join(mine, root);
   }
 
   void add(std::uint32_t row, Run& run) {
-    if (run.label == kNoLabel) run.label = labels_.add();
     const Gap part = reader_.gap_of(row, run);
-    const auto [gap, fresh] = alive_.try_emplace(labels_.find(run.label), part);
-    if (!fresh) gap->second.join(part);
+    if (run.label != kNoLabel) {
+      gaps_[slot_[labels_.find(run.label)]].join(part);
+      return;
+    }
+    run.label = labels_.add();
+    if (free_.empty()) {
+      free_.push_back(static_cast<std::uint32_t>(gaps_.size()));
+      gaps_.emplace_back();
+    }
+    slot_.push_back(free_.back());
+    free_.pop_back();
+    gaps_[slot_.back()] = part;
   }
 
   void close_if_done(const Run& up, std::uint32_t row, Holidays& result) {
-    const auto gap = alive_.find(labels_.find(up.label));
-    if (gap == alive_.end() || gap->second.high_row >= row) return;
-    gap->second.label = gap->first;
-    const double area =
-        static_cast<double>(gap->second.cells) * grid_.resolution_m() * grid_.resolution_m();
+    const std::uint32_t root = labels_.find(up.label);
+    if (slot_[root] == kNoLabel || gaps_[slot_[root]].high_row >= row) return;
+    Gap& gap = gaps_[slot_[root]];
+    gap.label = root;
     ++result.count;
-    cells_ += gap->second.cells;
-    result.largest_m2 = std::max(result.largest_m2, area);
-    result.total_m2 = static_cast<double>(cells_) * grid_.resolution_m() * grid_.resolution_m();
-    if (static_cast<double>(gap->second.cells) >= least_cells_) listed_.push_back(gap->second);
-    alive_.erase(gap);
-    if (listed_.size() > 4 * options_.list_at_most + 1024) prune();
+    cells_ += gap.cells;
+    largest_ = std::max(largest_, gap.cells);
+    if (static_cast<double>(gap.cells) >= least_cells_) list(gap);
+    free_.push_back(slot_[root]);
+    slot_[root] = kNoLabel;
+  }
+
+  void list(const Gap& gap) {
+    listed_.push_back(gap);
+    if (listed_.size() <= 2 * options_.list_at_most + 1024) return;
+    const auto kept = listed_.begin() + static_cast<std::ptrdiff_t>(options_.list_at_most);
+    std::nth_element(listed_.begin(), kept, listed_.end(), larger);
+    listed_.erase(kept, listed_.end());
   }
 
   void prune() {
@@ -199,9 +219,11 @@ class GapSweep {
   const HolidayOptions& options_;
   RowReader reader_;
   double least_cells_ = 0.0;
-  std::uint64_t cells_ = 0;
+  std::uint64_t cells_ = 0, largest_ = 0;
   Labels labels_;
-  std::unordered_map<std::uint32_t, Gap> alive_;
+  std::vector<std::uint32_t> slot_;  // of each label's gap while it is alive
+  std::vector<std::uint32_t> free_;
+  std::vector<Gap> gaps_;
   std::vector<Gap> listed_;
 };
 

@@ -89,19 +89,33 @@ void split_into_runs(std::size_t n, const std::int32_t* strip, std::uint32_t fir
   }
 }
 
-// The leg field of a cell after a sounding of the leg `code` (1..1022).
-inline std::uint32_t with_leg(std::uint32_t word, std::uint32_t code) {
-  const std::uint32_t field = word >> CoverageGrid::kLegShift;
-  const std::uint32_t now = (field == 0) | (field == code) ? code : CoverageGrid::kLegMask;
-  return (word & ((1U << CoverageGrid::kLegShift) - 1U)) | now << CoverageGrid::kLegShift;
+// A cell's word after a sounding of the leg `code` (1..1022).
+template <bool kLog>
+inline std::uint32_t count_sounding(std::uint32_t word, std::uint32_t code) {
+  constexpr std::uint32_t kLogged = 7U << CoverageGrid::kLoggedShift;
+  word += static_cast<std::uint32_t>((word & CoverageGrid::kCountMask) != CoverageGrid::kCountMask);
+  if constexpr (kLog) {
+    word += static_cast<std::uint32_t>((word & kLogged) != kLogged) << CoverageGrid::kLoggedShift;
+  }
+  // Nearly always the same leg as the sounding before, or the first: branches that seldom miss.
+  const std::uint32_t leg = word >> CoverageGrid::kLegShift;
+  if (leg != code) {
+    word |= (leg == 0 ? code : CoverageGrid::kLegMask) << CoverageGrid::kLegShift;
+  }
+  return word;
 }
 
-inline std::uint32_t count_sounding(std::uint32_t word, std::uint32_t code, std::uint32_t log) {
-  const std::uint32_t count = word & CoverageGrid::kCountMask;
-  const std::uint32_t logged = (word >> CoverageGrid::kLoggedShift) & 7U;
-  word += static_cast<std::uint32_t>(count != CoverageGrid::kCountMask);
-  word += (log & static_cast<std::uint32_t>(logged != 7U)) << CoverageGrid::kLoggedShift;
-  return with_leg(word, code);
+template <bool kLog>
+std::uint64_t count_run(std::span<const std::uint32_t> cells, std::uint32_t code,
+                        std::uint32_t* words) {
+  std::uint64_t soundings = 0;
+  for (const std::uint32_t cell : cells) {
+    const std::uint32_t word = words[cell];
+    if ((word & CoverageGrid::kInArea) == 0) continue;
+    words[cell] = count_sounding<kLog>(word, code);
+    ++soundings;
+  }
+  return soundings;
 }
 
 }  // namespace
@@ -160,13 +174,9 @@ std::uint64_t count_band(std::span<const BlockTrace> blocks, std::uint32_t band,
   for (const BlockTrace& block : blocks) {
     for (const CellRun& run : block.runs[band]) {
       const std::uint32_t code = run.leg % (CoverageGrid::kLegMask - 1U) + 1U;
-      const std::uint32_t log = run.log ? 1U : 0U;
-      for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-        std::uint32_t& word = words[block.cells[i]];
-        if ((word & CoverageGrid::kInArea) == 0) continue;
-        word = count_sounding(word, code, log);
-        ++soundings;
-      }
+      const auto cells = std::span(block.cells).subspan(run.first, run.count);
+      soundings +=
+          run.log ? count_run<true>(cells, code, words) : count_run<false>(cells, code, words);
     }
     for (const SweptPatch& patch : block.swept) mark_band(patch, band, grid);
   }
