@@ -20,12 +20,14 @@ namespace swathplan {
   return i - static_cast<std::int32_t>(x < static_cast<float>(i));
 }
 
-/// Bands of grid rows: 16 rows make a strip, strips are dealt to the bands in turn, and one task
-/// counts one band, so that no word of the grid is ever written by two.
-inline constexpr std::uint32_t kBands = 16;
-inline constexpr int kStripShift = 4;
-[[nodiscard]] constexpr std::uint32_t band_of_row(std::uint32_t row) {
-  return (row >> kStripShift) % kBands;
-}
+/// Bands of grid rows: 32 rows make a strip, strips are dealt to the bands in turn, and one task
+/// counts one band, so that no word of the grid is ever written by two. A power of two.
+struct Bands {
+  static constexpr int kStripShift = 5;
+  std::uint32_t count = 1;
+  [[nodiscard]] std::uint32_t of_row(std::uint32_t row) const {
+    return (row >> kStripShift) & (count - 1U);
+  }
+};
 
 }  // namespace swathplan

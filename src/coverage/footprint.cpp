@@ -113,7 +113,10 @@ void covered_beams(std::size_t n, const Between& way, const float* left, const f
 bool follows(const FanFootprints& a, const FanFootprints& b, float& way) {
   const CellFrame& f = a.frame;
   const CellFrame& g = b.frame;
-  if (f.starboard_x != g.starboard_x || f.starboard_y != g.starboard_y || a.log != b.log ||
+  // Segments of one straight line differ in the last bit: 0.001 cells at the end of a long fan.
+  constexpr float kSameCourse = 1e-6F;
+  if (std::abs(f.starboard_x - g.starboard_x) > kSameCourse ||
+      std::abs(f.starboard_y - g.starboard_y) > kSameCourse || a.log != b.log ||
       a.beams() != b.beams()) {
     return false;
   }
@@ -504,37 +507,38 @@ void mark_row(std::int32_t row, std::int32_t low, std::int32_t high, std::uint32
 }
 
 template <class Visit>
-void rows_of_band(std::int32_t low, std::int32_t high, std::uint32_t band, const CoverageGrid& grid,
-                  Visit visit) {
+void rows_of_band(std::int32_t low, std::int32_t high, Bands bands, std::uint32_t band,
+                  const CoverageGrid& grid, Visit visit) {
   low = std::max(low, 0);
   high = std::min(high, static_cast<std::int32_t>(grid.rows()) - 1);
   for (std::int32_t row = low; row <= high; ++row) {
-    if (band_of_row(static_cast<std::uint32_t>(row)) == band) visit(row);
+    if (bands.of_row(static_cast<std::uint32_t>(row)) == band) visit(row);
   }
 }
 
-void mark_columns(const SweptPatch& patch, std::uint32_t band, CoverageGrid& grid) {
+void mark_columns(const SweptPatch& patch, Bands bands, std::uint32_t band, CoverageGrid& grid) {
   const std::int32_t low = *std::min_element(patch.low.begin(), patch.low.end());
   const std::int32_t high = *std::max_element(patch.high.begin(), patch.high.end());
-  rows_of_band(low, high, band, grid, [&](std::int32_t row) {
+  rows_of_band(low, high, bands, band, grid, [&](std::int32_t row) {
     mark_across(grid.words().data() + static_cast<std::size_t>(row) * grid.columns() +
                     static_cast<std::size_t>(patch.first_line),
                 patch.low.size(), row, patch.low.data(), patch.high.data(), patch.flags);
   });
   for (const LineCells& more : patch.more) {
-    rows_of_band(more.low, more.high, band, grid,
+    rows_of_band(more.low, more.high, bands, band, grid,
                  [&](std::int32_t row) { mark_row(row, more.line, more.line, patch.flags, grid); });
   }
 }
 
-void mark_rows(const SweptPatch& patch, std::uint32_t band, CoverageGrid& grid) {
+void mark_rows(const SweptPatch& patch, Bands bands, std::uint32_t band, CoverageGrid& grid) {
   const auto lines = static_cast<std::int32_t>(patch.low.size());
-  rows_of_band(patch.first_line, patch.first_line + lines - 1, band, grid, [&](std::int32_t row) {
-    const auto i = static_cast<std::size_t>(row - patch.first_line);
-    mark_row(row, patch.low[i], patch.high[i], patch.flags, grid);
-  });
+  rows_of_band(patch.first_line, patch.first_line + lines - 1, bands, band, grid,
+               [&](std::int32_t row) {
+                 const auto i = static_cast<std::size_t>(row - patch.first_line);
+                 mark_row(row, patch.low[i], patch.high[i], patch.flags, grid);
+               });
   for (const LineCells& more : patch.more) {
-    if (band_of_row(static_cast<std::uint32_t>(more.line)) == band) {
+    if (bands.of_row(static_cast<std::uint32_t>(more.line)) == band) {
       mark_row(more.line, more.low, more.high, patch.flags, grid);
     }
   }
@@ -542,11 +546,11 @@ void mark_rows(const SweptPatch& patch, std::uint32_t band, CoverageGrid& grid) 
 
 }  // namespace
 
-void mark_band(const SweptPatch& patch, std::uint32_t band, CoverageGrid& grid) {
+void mark_band(const SweptPatch& patch, Bands bands, std::uint32_t band, CoverageGrid& grid) {
   if (patch.by_columns) {
-    mark_columns(patch, band, grid);
+    mark_columns(patch, bands, band, grid);
   } else {
-    mark_rows(patch, band, grid);
+    mark_rows(patch, bands, band, grid);
   }
 }
 

@@ -135,7 +135,7 @@ class FootprintSweep {
   std::vector<std::int32_t> sure_low_, sure_high_, low_, high_;
 };
 
-/// Sets the flags of one band of rows.
-void mark_band(const SweptPatch& patch, std::uint32_t band, CoverageGrid& grid);
+/// Sets the flags in one of the bands of rows.
+void mark_band(const SweptPatch& patch, Bands bands, std::uint32_t band, CoverageGrid& grid);
 
 }  // namespace swathplan

@@ -8,7 +8,7 @@ namespace swathplan {
 
 namespace {
 
-constexpr std::int32_t kNoStrip = -1;
+constexpr std::int32_t kNoBand = -1;
 
 // The fan's plane in the world: starboard is the course turned clockwise by a right angle.
 struct FanPose {
@@ -56,10 +56,10 @@ CellFrame cell_frame(const Ping& ping, const FanPose& pose, const CoverageGrid& 
   return frame;
 }
 
-// Distance to starboard, cell and strip of rows of each sounding; strip kNoStrip for none.
+// Distance to starboard, cell and band of rows of each sounding; band kNoBand for none.
 SWATHPLAN_EVERY_CPU
-void to_cells(std::size_t n, const CellFrame& frame, const float* range, const float* across,
-              float* starboard, std::uint32_t* cell, std::int32_t* strip) {
+void to_cells(std::size_t n, const CellFrame& frame, Bands bands, const float* range,
+              const float* across, float* starboard, std::uint32_t* cell, std::int32_t* band) {
   const float per_x = frame.starboard_x * frame.cells_per_metre;
   const float per_y = frame.starboard_y * frame.cells_per_metre;
   for (std::size_t i = 0; i < n; ++i) {
@@ -71,17 +71,18 @@ void to_cells(std::size_t n, const CellFrame& frame, const float* range, const f
                         (row < frame.rows);
     cell[i] = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(frame.columns) +
               static_cast<std::uint32_t>(column);
-    strip[i] = inside ? row >> kStripShift : kNoStrip;
+    band[i] =
+        inside ? static_cast<std::int32_t>(bands.of_row(static_cast<std::uint32_t>(row))) : kNoBand;
   }
 }
 
-void split_into_runs(std::size_t n, const std::int32_t* strip, std::uint32_t first,
-                     const Ping& ping, BlockTrace& block) {
+void split_into_runs(std::size_t n, const std::int32_t* band, std::uint32_t first, const Ping& ping,
+                     BlockTrace& block) {
   for (std::size_t i = 0; i < n;) {
     std::size_t end = i + 1;
-    while (end < n && strip[end] == strip[i]) ++end;
-    if (strip[i] != kNoStrip) {
-      block.runs[static_cast<std::uint32_t>(strip[i]) % kBands].push_back(
+    while (end < n && band[end] == band[i]) ++end;
+    if (band[i] != kNoBand) {
+      block.runs[static_cast<std::uint32_t>(band[i])].push_back(
           {first + static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end - i), ping.leg,
            ping.log});
     }
@@ -121,17 +122,19 @@ std::uint64_t count_run(std::span<const std::uint32_t> cells, std::uint32_t code
 }  // namespace
 
 PingTracer::PingTracer(const RayScene& scene, const Sonar& sonar, double draft_m,
-                       const CoverageGrid& grid, bool footprints)
+                       const CoverageGrid& grid, Bands bands, bool footprints)
     : scene_(&scene),
       sonar_(&sonar),
       draft_(draft_m),
       grid_(&grid),
+      bands_(bands),
       footprints_(footprints),
       tables_(sonar),
       sweep_(sonar) {}
 
 void PingTracer::trace(std::span<const Ping> pings, BlockTrace& block) {
   block.cells.clear();
+  block.runs.resize(bands_.count);
   for (auto& runs : block.runs) runs.clear();
   block.rays = 0;
   block.swept.clear();
@@ -143,7 +146,7 @@ void PingTracer::trace_ping(const Ping& ping, BlockTrace& block) {
   const FanTable& table = tables_.get(ping.fan);
   const std::size_t n = table.padded;
   floats_.resize(9 * n);
-  strips_.resize(n);
+  band_of_beam_.resize(n);
   const auto column = [&](std::size_t k) { return floats_.data() + k * n; };
   float* const across = column(0);
   const FanPose pose = fan_pose(ping);
@@ -157,8 +160,9 @@ void PingTracer::trace_ping(const Ping& ping, BlockTrace& block) {
   const auto first = static_cast<std::uint32_t>(block.cells.size());
   block.cells.resize(block.cells.size() + n);
   const CellFrame frame = cell_frame(ping, pose, *grid_);
-  to_cells(n, frame, hits.range, across, column(8), block.cells.data() + first, strips_.data());
-  split_into_runs(table.beams, strips_.data(), first, ping, block);
+  to_cells(n, frame, bands_, hits.range, across, column(8), block.cells.data() + first,
+           band_of_beam_.data());
+  split_into_runs(table.beams, band_of_beam_.data(), first, ping, block);
   block.rays += table.beams;
   if (footprints_) {
     sweep_.add(
@@ -167,7 +171,7 @@ void PingTracer::trace_ping(const Ping& ping, BlockTrace& block) {
   }
 }
 
-std::uint64_t count_band(std::span<const BlockTrace> blocks, std::uint32_t band,
+std::uint64_t count_band(std::span<const BlockTrace> blocks, Bands bands, std::uint32_t band,
                          CoverageGrid& grid) {
   std::uint64_t soundings = 0;
   std::uint32_t* const words = grid.words().data();
@@ -178,7 +182,7 @@ std::uint64_t count_band(std::span<const BlockTrace> blocks, std::uint32_t band,
       soundings +=
           run.log ? count_run<true>(cells, code, words) : count_run<false>(cells, code, words);
     }
-    for (const SweptPatch& patch : block.swept) mark_band(patch, band, grid);
+    for (const SweptPatch& patch : block.swept) mark_band(patch, bands, band, grid);
   }
   return soundings;
 }

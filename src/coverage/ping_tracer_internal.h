@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,7 +13,7 @@
 
 namespace swathplan {
 
-/// Neighbouring beams of one ping whose soundings fell in the same strip of rows.
+/// Neighbouring beams of one ping whose soundings fell in the same band of rows.
 struct CellRun {
   std::uint32_t first, count;  ///< into BlockTrace::cells
   std::uint32_t leg;
@@ -23,9 +22,9 @@ struct CellRun {
 
 /// What a block of pings gave, ready to be counted band by band.
 struct BlockTrace {
-  std::vector<std::uint32_t> cells;  ///< cell index per beam
-  std::array<std::vector<CellRun>, kBands> runs;
-  std::vector<SweptPatch> swept;  ///< footprints, if wanted
+  std::vector<std::uint32_t> cells;        ///< cell index per beam
+  std::vector<std::vector<CellRun>> runs;  ///< per band
+  std::vector<SweptPatch> swept;           ///< footprints, if wanted
   std::uint64_t rays = 0;
 };
 
@@ -33,7 +32,7 @@ struct BlockTrace {
 class PingTracer {
  public:
   PingTracer(const RayScene& scene, const Sonar& sonar, double draft_m, const CoverageGrid& grid,
-             bool footprints);
+             Bands bands, bool footprints);
 
   void trace(std::span<const Ping> pings, BlockTrace& block);
 
@@ -44,15 +43,16 @@ class PingTracer {
   const Sonar* sonar_;
   double draft_;
   const CoverageGrid* grid_;
+  Bands bands_;
   bool footprints_;
   FanTableCache tables_;
   FootprintSweep sweep_;
   std::vector<float> floats_;
-  std::vector<std::int32_t> strips_;
+  std::vector<std::int32_t> band_of_beam_;
 };
 
 /// Counts one band of a batch of blocks into the grid; returns the soundings inside the area.
-std::uint64_t count_band(std::span<const BlockTrace> blocks, std::uint32_t band,
+std::uint64_t count_band(std::span<const BlockTrace> blocks, Bands bands, std::uint32_t band,
                          CoverageGrid& grid);
 
 }  // namespace swathplan

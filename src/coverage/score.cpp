@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "coverage/ping_tracer_internal.h"
 #include "mesh/error.h"
@@ -19,7 +20,7 @@ namespace {
 // Pings of one task, and tasks between two counts: enough that the threads seldom wait for one
 // another, few enough that the pings in flight stay under some megabytes a thread.
 constexpr std::size_t kPingsPerBlock = 64;
-constexpr std::size_t kBlocksPerThread = 16;
+constexpr std::size_t kBlocksPerThread = 8;
 
 void check(const Route& route, const Sonar& sonar, const ScoreOptions& options) {
   if (const auto what = fault(route)) throw InvalidInput("the route cannot be scored: " + *what);
@@ -41,28 +42,53 @@ int thread_count(const ScoreOptions& options) {
   return options.threads > 0 ? std::min(options.threads, cores) : cores;
 }
 
+// Several bands a thread, so that none waits long for another; one band for one thread.
+std::uint32_t bands_for(int threads) {
+  return threads > 1 ? std::bit_ceil(static_cast<std::uint32_t>(threads)) * 4U : 1U;
+}
+
 // Counts over the cells of the area.
 struct Tally {
   std::uint64_t cells = 0, hit = 0, hit_2 = 0, hit_5 = 0, footprint = 0;
   std::uint64_t logged_hit = 0, logged_2 = 0, logged_5 = 0, logged_footprint = 0, several = 0;
 };
 
+// Counts of one row in 32 bits and without branches, so that it becomes vector code.
+SWATHPLAN_EVERY_CPU
+void tally_row(const std::uint32_t* words, std::size_t n, std::uint32_t* counts) {
+  std::uint32_t cells = 0, hit = 0, hit_2 = 0, hit_5 = 0, footprint = 0;
+  std::uint32_t logged_hit = 0, logged_2 = 0, logged_5 = 0, logged_footprint = 0, several = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t w = (words[i] & CoverageGrid::kInArea) != 0 ? words[i] : 0U;
+    const std::uint32_t count = w & CoverageGrid::kCountMask;
+    const std::uint32_t logged = (w >> CoverageGrid::kLoggedShift) & 7U;
+    cells += w != 0 ? 1U : 0U;
+    hit += count >= 1 ? 1U : 0U;
+    hit_2 += count >= 2 ? 1U : 0U;
+    hit_5 += count >= 5 ? 1U : 0U;
+    footprint += (w & CoverageGrid::kFootprint) != 0 ? 1U : 0U;
+    logged_hit += logged >= 1 ? 1U : 0U;
+    logged_2 += logged >= 2 ? 1U : 0U;
+    logged_5 += logged >= 5 ? 1U : 0U;
+    logged_footprint += (w & CoverageGrid::kLoggedFootprint) != 0 ? 1U : 0U;
+    several += w >> CoverageGrid::kLegShift == CoverageGrid::kLegMask ? 1U : 0U;
+  }
+  const std::array<std::uint32_t, 10> all{
+      cells,  hit, hit_2, hit_5, footprint, logged_hit, logged_2, logged_5, logged_footprint,
+      several};
+  std::copy(all.begin(), all.end(), counts);
+}
+
 Tally tally(const CoverageGrid& grid) {
   Tally t;
-  for (std::size_t i = 0; i < grid.words().size(); ++i) {
-    if (!grid.counts(i)) continue;
-    ++t.cells;
-    const std::uint32_t n = grid.soundings(i);
-    t.hit += n >= 1;
-    t.hit_2 += n >= 2;
-    t.hit_5 += n >= 5;
-    const std::uint32_t logged = grid.logged_soundings(i);
-    t.logged_hit += logged >= 1;
-    t.logged_2 += logged >= 2;
-    t.logged_5 += logged >= 5;
-    t.footprint += grid.footprint(i);
-    t.logged_footprint += grid.logged_footprint(i);
-    t.several += grid.several_legs(i);
+  const std::array<std::uint64_t*, 10> sums{&t.cells,    &t.hit,       &t.hit_2,
+                                            &t.hit_5,    &t.footprint, &t.logged_hit,
+                                            &t.logged_2, &t.logged_5,  &t.logged_footprint,
+                                            &t.several};
+  std::array<std::uint32_t, 10> counts{};
+  for (std::size_t row = 0; row < grid.rows(); ++row) {
+    tally_row(grid.words().data() + row * grid.columns(), grid.columns(), counts.data());
+    for (std::size_t k = 0; k < sums.size(); ++k) *sums[k] += counts[k];
   }
   return t;
 }
@@ -89,8 +115,9 @@ class Scorer {
         grid_(grid),
         walker_(route, options.ping_spacing_m, options.noise),
         arena_(thread_count(options)),
-        tracers_([&ground, &sonar, draft_m, &grid, footprint = options.footprint] {
-          return PingTracer(*ground.scene, sonar, draft_m, grid, footprint);
+        bands_{bands_for(arena_.max_concurrency())},
+        tracers_([&ground, &sonar, draft_m, &grid, bands = bands_, footprint = options.footprint] {
+          return PingTracer(*ground.scene, sonar, draft_m, grid, bands, footprint);
         }) {
     const auto threads = static_cast<std::size_t>(arena_.max_concurrency());
     pings_.resize(threads * kBlocksPerThread);
@@ -123,10 +150,10 @@ class Scorer {
   }
 
   std::uint64_t count(std::size_t blocks) {
-    std::array<std::uint64_t, kBands> soundings{};
+    std::vector<std::uint64_t> soundings(bands_.count, 0);
     arena_.execute([&] {
-      tbb::parallel_for(std::uint32_t{0}, kBands, [&](std::uint32_t band) {
-        soundings[band] = count_band({traces_.data(), blocks}, band, grid_);
+      tbb::parallel_for(std::uint32_t{0}, bands_.count, [&](std::uint32_t band) {
+        soundings[band] = count_band({traces_.data(), blocks}, bands_, band, grid_);
       });
     });
     std::uint64_t sum = 0;
@@ -138,6 +165,7 @@ class Scorer {
   CoverageGrid& grid_;
   PingWalker walker_;
   tbb::task_arena arena_;
+  Bands bands_;
   tbb::enumerable_thread_specific<PingTracer> tracers_;
   std::vector<std::vector<Ping>> pings_;
   std::vector<BlockTrace> traces_;
