@@ -176,8 +176,14 @@ double sonar_range_m(const AccordionOptions& options) {
   return options.spacing_m + options.nadir_gap_m;
 }
 
+AccordionState start_accordion(const AccordionOptions& options) {
+  check(options);
+  AccordionState state;
+  state.options = options;
+  return state;
+}
+
 std::optional<SurveyTrack> next_track(const AccordionState& state) {
-  check(state.options);
   const auto across = next_across(state);
   if (!across) return std::nullopt;
   const int number = static_cast<int>(state.sailed.size());

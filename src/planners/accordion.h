@@ -41,23 +41,25 @@ struct AccordionObservation {
   CostMap back, ahead;
 };
 
-/// Plain data; starts as AccordionState{options}.
+/// Plain data; starts as start_accordion(options).
 struct AccordionState {
   AccordionOptions options;
   std::vector<SurveyTrack> sailed;
-  IntervalSet seen_from_below;                   ///< looked at from a smaller `across_m`
-  IntervalSet seen_from_above;                   ///< looked at from a larger `across_m`
-  std::vector<Interval> pending;                 ///< objects that still lack a look, across axis
-  double front_m = 0.0;                          ///< farthest track so far
-  double sailed_m = 0.0;                         ///< tracks and connectors, from the start corner
+  IntervalSet seen_from_below;    ///< looked at from a smaller `across_m`
+  IntervalSet seen_from_above;    ///< looked at from a larger `across_m`
+  std::vector<Interval> pending;  ///< objects that still lack a look, across axis
+  double front_m = 0.0;           ///< farthest track so far
+  double sailed_m = 0.0;          ///< tracks and connectors, from the start corner
   // What the bounded rule estimates its chances from.
   int strips_seen = 0, strips_with_objects = 0;  ///< first looks at a strip
   int loops = 0;                                 ///< times it went back
   double loops_m = 0.0;                          ///< way there and back, without the tracks
 };
 
+[[nodiscard]] AccordionState start_accordion(const AccordionOptions& options);
+
 /// The next track; empty when the area is done: all of it seen, every object from both sides.
-/// Tracks alternate in direction. Same state, same track. Throws as `check`.
+/// Tracks alternate in direction. Same state, same track.
 [[nodiscard]] std::optional<SurveyTrack> next_track(const AccordionState& state);
 
 /// The state after `track` was sailed. Guarantee: only next_track(state) is taken.

@@ -87,8 +87,7 @@ AccordionObservation observe_world(const StripWorld& world, const AccordionOptio
 }
 
 AccordionMission sail(const StripWorld& world, const AccordionOptions& options) {
-  AccordionMission mission;
-  mission.state.options = options;
+  AccordionMission mission{start_accordion(options)};
   while (const auto track = next_track(mission.state)) {
     mission.state =
         observe(std::move(mission.state), *track, observe_world(world, options, *track));

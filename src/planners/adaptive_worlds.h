@@ -46,7 +46,7 @@ struct StripWorld {
 
 /// A simulated mission from its first track to its last.
 struct AccordionMission {
-  AccordionState state;
+  AccordionState state{};
   int objects = 0;
   int objects_seen_twice = 0;  ///< looked at from both sides
 };

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "mesh/error.h"
@@ -37,7 +39,8 @@ std::vector<int> swaths_of(const QualitySurveyOptions& o, const TrueQuality& tru
     const bool port = back == (track.outbound == o.port_looks_back);
     const std::vector<char>& good = port ? truth.port : truth.starboard;
     for (int bin = 0; bin < static_cast<int>(good.size()); ++bin) {
-      if (good[static_cast<std::size_t>(bin)]) result.push_back(swath_at(o, track.across_m, back, bin));
+      if (good[static_cast<std::size_t>(bin)])
+        result.push_back(swath_at(o, track.across_m, back, bin));
     }
   }
   return result;
@@ -45,11 +48,11 @@ std::vector<int> swaths_of(const QualitySurveyOptions& o, const TrueQuality& tru
 
 // The frontier after a track, if the track covers the first uncovered swath.
 std::optional<Frontier> advanced(const Frontier& from, const std::vector<int>& swaths, int count) {
+  if (std::find(swaths.begin(), swaths.end(), from.first) == swaths.end()) return std::nullopt;
   std::uint64_t beyond = from.beyond;
   for (const int s : swaths) {
     if (s >= from.first && s < count) beyond |= std::uint64_t{1} << (s - from.first);
   }
-  if ((beyond & 1U) == 0) return std::nullopt;
   const int run = std::countr_one(beyond);
   return Frontier{from.first + run, run == kWindow ? 0 : beyond >> run};
 }
@@ -162,9 +165,10 @@ std::vector<SurveyTrack> fewest_tracks(const QualitySurveyOptions& o, const True
   const int count = swath_count(o);
   // A track that closes the first gap with its near side reaches so far beyond it.
   if (std::lround(2.0 * o.range_max_m / o.swath_m) >= kWindow) {
-    throw UsageError(fmt::format("swath = {} m; the exact optimum needs twice the largest range "
-                                 "within {} swaths, so take a wider swath",
-                                 o.swath_m, kWindow));
+    throw UsageError(
+        fmt::format("swath = {} m; the exact optimum needs twice the largest range "
+                    "within {} swaths, so take a wider swath",
+                    o.swath_m, kWindow));
   }
   const auto options = all_options(o, truth);
   std::vector<Level> levels{Level{{Frontier{}, Step{}}}};

@@ -83,15 +83,17 @@ void keep_allowed(std::vector<Candidate>& list, GapConstraint constraint) {
 
 void check_side(const std::vector<double>& side, std::size_t bins, int track, const char* name) {
   if (side.size() != bins) {
-    throw InvalidInput(fmt::format("track {}: {} correlations on the {} side; give {}, one for "
-                                   "each range bin",
-                                   track, side.size(), name, bins));
+    throw InvalidInput(
+        fmt::format("track {}: {} correlations on the {} side; give {}, one for "
+                    "each range bin",
+                    track, side.size(), name, bins));
   }
   for (std::size_t i = 0; i < bins; ++i) {
     if (!(side[i] >= -1.0 && side[i] <= 1.0)) {
-      throw InvalidInput(fmt::format("track {}: correlation {} of the {} side is {}; must lie in "
-                                     "[-1, 1]",
-                                     track, i, name, side[i]));
+      throw InvalidInput(
+          fmt::format("track {}: correlation {} of the {} side is {}; must lie in "
+                      "[-1, 1]",
+                      track, i, name, side[i]));
     }
   }
 }
@@ -196,10 +198,9 @@ std::optional<SurveyTrack> next_track(const QualitySurveyState& state) {
   double best_utility = 0.0;
   for (const Candidate& c : list) {
     // The first track may be anywhere: the vehicle has not started yet.
-    const double cost =
-        state.sailed.empty()
-            ? 0.0
-            : transit_cost(state.options, state.sailed.back().across_m, c.across_m);
+    const double cost = state.sailed.empty()
+                            ? 0.0
+                            : transit_cost(state.options, state.sailed.back().across_m, c.across_m);
     const double utility = c.benefit - state.options.cost_weight * cost;
     if (best && utility <= best_utility + kSameRate) continue;
     best = SurveyTrack{number, c.across_m, outbound};
@@ -212,11 +213,11 @@ QualitySurveyState observe(QualitySurveyState state, const SurveyTrack& track,
                            const QualityObservation& observation) {
   const auto expected = next_track(state);
   if (!expected || !(track == *expected)) {
-    throw InvalidInput(fmt::format("an observation for track {} at {} m, which was not given; {}",
-                                   track.number, track.across_m,
-                                   expected ? fmt::format("track {} at {} m is due",
-                                                          expected->number, expected->across_m)
-                                            : "the mission is complete"));
+    throw InvalidInput(fmt::format(
+        "an observation for track {} at {} m, which was not given; {}", track.number,
+        track.across_m,
+        expected ? fmt::format("track {} at {} m is due", expected->number, expected->across_m)
+                 : "the mission is complete"));
   }
   const auto bins = static_cast<std::size_t>(range_bins(state.options));
   check_side(observation.port, bins, track.number, "port");

@@ -21,14 +21,14 @@ enum class GapConstraint {
 [[nodiscard]] std::string_view name(GapConstraint constraint);
 
 struct QualitySurveyOptions {
-  double width_m = 2000.0;      ///< of the area, across the tracks; a multiple of swath_m
-  double length_m = 5000.0;     ///< of a track
-  double swath_m = 10.0;        ///< width of the swaths that the area and the ranges are cut into
-  double range_min_m = 40.0;    ///< nominal limits of the sonar; multiples of swath_m
+  double width_m = 2000.0;    ///< of the area, across the tracks; a multiple of swath_m
+  double length_m = 5000.0;   ///< of a track
+  double swath_m = 10.0;      ///< width of the swaths that the area and the ranges are cut into
+  double range_min_m = 40.0;  ///< nominal limits of the sonar; multiples of swath_m
   double range_max_m = 150.0;
-  double quality = 2.0 / 3.0;   ///< peak correlation from which data is good, (0, 1)
-  double cost_weight = 0.02;    ///< of the transit cost against swaths gained, >= 0
-  double turn_width_m = 60.0;   ///< twice the turning radius: the spacing that costs nothing, > 0
+  double quality = 2.0 / 3.0;  ///< peak correlation from which data is good, (0, 1)
+  double cost_weight = 0.02;   ///< of the transit cost against swaths gained, >= 0
+  double turn_width_m = 60.0;  ///< twice the turning radius: the spacing that costs nothing, > 0
   GapConstraint constraint = GapConstraint::strong;
   bool port_looks_back = true;  ///< on outbound tracks
 };

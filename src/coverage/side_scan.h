@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "coverage/ray_scene.h"
+#include "mesh/seafloor.h"
+
+namespace swathplan {
+
+/// A side-scan sonar and how it is carried. Nominal, for simulation.
+struct SideScanSonar {
+  double range_m = 50.0;               ///< horizontal reach of each side, > 0
+  double pixel_m = 0.1;                ///< across-track size of an image pixel, on a flat bottom
+  double ping_spacing_m = 0.2;         ///< along the track
+  double altitude_m = 6.0;             ///< above the seafloor, kept as far as the surface allows
+  double nadir_gap_m = 0.0;            ///< half-width without data below the sonar, >= 0
+  int rays_per_pixel = 2;              ///< along each side's fan
+  double attenuation_db_per_m = 0.05;  ///< what the receiver's gain leaves of the loss with range
+  double looks = 4.0;      ///< of the speckle: its relative deviation is 1 / sqrt(looks); 0: none
+  std::uint64_t seed = 1;  ///< of the speckle
+};
+/// @throws UsageError if a value breaks its rule; the message names it.
+void check(const SideScanSonar& sonar);
+
+/// An image of one track: a row per ping, columns from the track outwards, intensities >= 0.
+/// 0 in shadow and where there is no data.
+struct SideScanImage {
+  int rows = 0, columns = 0;
+  double pixel_m = 0.1, row_m = 0.2;
+  double nadir_gap_m = 0.0;            ///< columns nearer than this hold no data
+  std::vector<float> port, starboard;  ///< rows x columns each
+};
+
+/// Heights of the seafloor below a track, as a multibeam sonar that fills the nadir gap gives them:
+/// a row per ping, columns from `half_width_m` to port to as much to starboard, z in metres; NaN
+/// where nothing was met.
+struct NadirHeights {
+  int rows = 0, columns = 0;
+  double pixel_m = 0.1, row_m = 0.2;
+  std::vector<float> z;
+};
+[[nodiscard]] NadirHeights nadir_heights(const RayScene& scene, const Vec2& from, const Vec2& to,
+                                         const std::function<double(const Vec2&)>& depth_below,
+                                         double half_width_m, const SideScanSonar& sonar);
+
+/// Sails from `from` to `to` (local metres) and makes the image. Each side's rays fan out from the
+/// vertical; where they meet the scene, slant range gives the pixel (as on a flat bottom below the
+/// sonar), the grazing angle (Lambert) and the range give the intensity; what no ray meets is
+/// sonic shadow. `depth_below` tells the seafloor's depth below a point (positive down), from
+/// which the vehicle keeps its altitude.
+/// Deterministic with the seed. Cost: rows x columns x rays_per_pixel x 2 rays. Throws as check.
+[[nodiscard]] SideScanImage side_scan_image(const RayScene& scene, const Vec2& from, const Vec2& to,
+                                            const std::function<double(const Vec2&)>& depth_below,
+                                            const SideScanSonar& sonar);
+
+/// The height at which the vehicle sails there: z, metres, never above half a metre of water.
+[[nodiscard]] double sonar_height_m(double depth_below_m, const SideScanSonar& sonar);
+
+}  // namespace swathplan
