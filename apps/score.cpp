@@ -30,6 +30,23 @@ FanAngles default_fan(const ScoreCommand& command, const Site& site) {
   return fan_for_depth(plan_options(command.survey, {}), depth_range(site.seafloor()).mean);
 }
 
+/// A route that nowhere comes near the data is in another CRS or of another place.
+void check_meets_data(const Route& route, const Site& site, const std::filesystem::path& file) {
+  Box2 box = extent(site.seafloor());
+  const double reach = std::max(100.0, box.size().norm());
+  box.min.array() -= reach;
+  box.max.array() += reach;
+  Box2 of_route;
+  for (const Waypoint& w : route.waypoints) of_route.extend(w.position);
+  const bool apart = (of_route.min.array() > box.max.array()).any() ||
+                     (of_route.max.array() < box.min.array()).any();
+  if (!apart) return;
+  throw InvalidInput(fmt::format(
+      "'{}': the route lies outside the seafloor's data; check that both are in the same CRS "
+      "(lon_deg,lat_deg or the coordinates of the seafloor's file)",
+      file.string()));
+}
+
 void run(const ScoreCommand& command) {
   static_cast<void>(score_options(command.survey));
   const auto site = load_site(command.site, vehicle_of(command.survey));
@@ -39,6 +56,7 @@ void run(const ScoreCommand& command) {
   const ImportedRoute route = read_route(
       command.route, site->seafloor().frame,
       {.fan = default_fan(command, *site), .speed_mps = vehicle_of(command.survey).speed_mps});
+  check_meets_data(route.route, *site, command.route);
   Plan plan;
   plan.route = route.route;
   plan.notes = route.notes;

@@ -78,14 +78,14 @@ bool harbour_land(double x, double y) {
 
 double harbour_depth(double x, double y) {
   // The open roadstead deepens to the south; inside the moles the natural bed is shallow.
-  double depth = 7.0 + 17.0 * ramp(150.0, 0.0, y) * (0.75 + 0.25 * ramp(0.0, 150.0, x));
+  double depth = 7.0 + 19.0 * ramp(150.0, 0.0, y) * (0.75 + 0.25 * ramp(0.0, 150.0, x));
   depth += 0.6 * std::sin(x / 23.0) * std::sin(y / 31.0);
   // Dredged: the channel through the entrance up to a turning basin, and the berths in the east.
   const double channel_x = 154.0 + 10.0 * ramp(60.0, 200.0, y);
   const double channel = ramp(34.0, 20.0, std::abs(x - channel_x)) * ramp(262.0, 244.0, y);
   const double turning = ramp(56.0, 40.0, std::hypot(x - 190.0, y - 222.0));
   const double berth = ramp(206.0, 216.0, x) * ramp(206.0, 218.0, y) * ramp(366.0, 354.0, y);
-  const double channel_depth = 14.0 + 10.0 * ramp(150.0, 10.0, y);
+  const double channel_depth = 14.0 + 12.0 * ramp(150.0, 10.0, y);
   depth += std::max(0.0, channel_depth - depth) * channel;
   depth += std::max(0.0, 14.0 - depth) * turning;
   depth += std::max(0.0, 12.0 - depth) * berth;

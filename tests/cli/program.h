@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace swathplan::test {
+
+/// What a run of the program gave.
+struct Run {
+  int code = -1;
+  std::string out;  ///< stdout
+  std::string err;  ///< stderr
+};
+
+inline std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// A folder of its own for each test, removed at the end.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "swathplan-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
+    return path_ / name;
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+  }
+
+  /// Runs `swathplan ARGUMENTS` with this folder as the working directory; 60 s at most.
+  [[nodiscard]] Run run(const std::string& arguments) const {
+    const std::string out = (path_ / ".out").string();
+    const std::string err = (path_ / ".err").string();
+    const std::string command = "cd '" + path_.string() +
+                                "' && timeout 60 '" SWATHPLAN_PROGRAM "' " + arguments + " >'" +
+                                out + "' 2>'" + err + "' </dev/null";
+    const int status = std::system(command.c_str());
+    Run result;
+    result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+    result.out = text_of(out);
+    result.err = text_of(err);
+    std::filesystem::remove(out);
+    std::filesystem::remove(err);
+    return result;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string dataset(const std::string& name) {
+  return std::string(SWATHPLAN_SOURCE_DIR) + "/datasets/" + name;
+}
+
+}  // namespace swathplan::test
