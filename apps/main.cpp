@@ -4,6 +4,7 @@
 #include <exception>
 #include <new>
 
+#include "apps/adapt.h"
 #include "apps/commands.h"
 #include "mesh/error.h"
 
@@ -28,6 +29,7 @@ int main(int argc, char** argv) {
   swathplan::add_plan_command(app);
   swathplan::add_compare_command(app);
   swathplan::add_score_command(app);
+  swathplan::add_adapt_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
