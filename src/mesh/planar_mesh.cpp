@@ -131,8 +131,16 @@ class Builder {
     }
   }
 
+  /// Splits faces that are too large; holes and what lies between parts stay out of the mesh.
   void refine() {
     Mesher mesher(cdt_);
+    const AreaQuery query(area_);
+    std::vector<Cdt::Point> outside;
+    for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f) {
+      const Cdt::Point c = CGAL::centroid(cdt_.triangle(f));
+      if (!query.contains({c.x(), c.y()})) outside.push_back(c);
+    }
+    mesher.set_seeds(outside.begin(), outside.end(), false);
     // No bound on the shape: it would fill the strips along quays with small faces, and every face
     // costs path. Size alone is bounded.
     mesher.set_criteria(Criteria(0.0, kLargestEdge * step_ * std::numbers::sqrt2));
