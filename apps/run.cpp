@@ -46,7 +46,10 @@ Scorer::Scorer(const Site& site, const SurveyOptions& options, bool quiet)
       score_options_(score_options(options)),
       scene_(site.seafloor(), score_options_.nodata),
       ground_{&site.seafloor(), site.depths.get(), &scene_, site.survey_area, site.water},
-      quiet_(quiet) {}
+      quiet_(quiet) {
+  // A grid that would not fit is refused before any planner works for it.
+  static_cast<void>(grid_size(site.survey_area, options.resolution_m));
+}
 
 ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
   ProgressBar bar(label, quiet_);

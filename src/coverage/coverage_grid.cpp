@@ -117,7 +117,7 @@ void mark_level_edges(CoverageGrid& grid, const Ring& ring) {
 
 }  // namespace
 
-CoverageGrid::CoverageGrid(const Area& area, double resolution_m) : resolution_(resolution_m) {
+GridSize grid_size(const Area& area, double resolution_m) {
   if (!(resolution_m > 0) || !std::isfinite(resolution_m)) {
     throw UsageError(
         fmt::format("resolution = {} m; must be greater than 0 and finite", resolution_m));
@@ -126,22 +126,22 @@ CoverageGrid::CoverageGrid(const Area& area, double resolution_m) : resolution_(
   if (box.empty()) throw InvalidInput("the survey area is empty; give an area that meets the data");
   const double columns = cells_across(box.size().x(), resolution_m);
   const double rows = cells_across(box.size().y(), resolution_m);
-  const auto limit = static_cast<double>(kMaxCells);
-  const auto too_many = [&] {
-    return UsageError(fmt::format(
+  const auto limit = static_cast<double>(CoverageGrid::kMaxCells);
+  if (columns * rows > limit) {
+    throw UsageError(fmt::format(
         "resolution = {} m; the scoring grid would hold {:.0f} x {:.0f} = {:.3g} cells ({:.3g} GB) "
         "and the limit is {:.3g} cells (8 GB): use a coarser resolution or a smaller area",
         resolution_m, columns, rows, columns * rows, columns * rows * 4e-9, limit));
-  };
-  if (columns * rows > limit) throw too_many();
-  columns_ = static_cast<std::uint32_t>(columns);
-  rows_ = static_cast<std::uint32_t>(rows);
-  origin_ = box.min;
-  try {
-    words_.assign(std::size_t{columns_} * rows_, 0);
-  } catch (const std::bad_alloc&) {
-    throw too_many();
   }
+  return {static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows)};
+}
+
+CoverageGrid::CoverageGrid(const Area& area, double resolution_m) : resolution_(resolution_m) {
+  const GridSize size = grid_size(area, resolution_m);
+  columns_ = size.columns;
+  rows_ = size.rows;
+  origin_ = extent(area).min;
+  words_.assign(std::size_t{columns_} * rows_, 0);
   // The even-odd rule with either end of each edge left out, united, is the closed area.
   for (const EdgeEnd closed : {EdgeEnd::lower, EdgeEnd::upper}) {
     RowCrossings(area, *this, closed).for_each_span([&](std::uint32_t row, double x0, double x1) {

@@ -7,6 +7,15 @@
 
 namespace swathplan {
 
+/// Cells of a scoring grid.
+struct GridSize {
+  std::uint32_t columns = 0, rows = 0;
+};
+/// Size of the grid over an area, without making it.
+/// @throws UsageError if `resolution_m` is not > 0 or the grid would hold more than
+///   CoverageGrid::kMaxCells; the message says the size and the limit.
+[[nodiscard]] GridSize grid_size(const Area& area, double resolution_m);
+
 /// Square scoring cells over an area: lower-left corner at the lower-left corner of the area's
 /// bounding box; a cell counts when its centre lies in the area. Row 0 is the southernmost.
 /// One 32-bit word a cell (see the accessors), so memory is 4 bytes a cell.

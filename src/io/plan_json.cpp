@@ -110,8 +110,8 @@ std::string plan_json(const PlanFacts& facts, const Frame& frame, const Provenan
   json["band_limits_m"] = facts.band_limits_m;
   json["regions"] = regions_json(facts);
   json["gates"] = gates_json(facts, frame);
-  json["blocked_edges_xy"] = Json::array();
-  for (const auto& e : facts.blocked_edges) json["blocked_edges_xy"].push_back(edge(e, frame));
+  json["blocked_edges"] = Json::array();
+  for (const auto& e : facts.blocked_edges) json["blocked_edges"].push_back(edge(e, frame));
   json["notes"] = facts.notes;
   return internal::json_text(json);
 }

@@ -2,44 +2,67 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 #include "mesh/error.h"
 #include "mesh/planar_mesh.h"
 
 namespace swathplan {
 
-std::vector<SharedEdge> shared_edges(const PlanarMesh& mesh) {
+namespace {
+
+/// Every side of every face, listed at the vertex where it begins.
+struct Sides {
   struct Side {
-    std::uint32_t face, edge;
+    std::uint32_t to, face, edge;
   };
-  // Keyed by the directed edge in 64 bits: no overflow however many vertices there are.
-  const auto key = [](std::uint32_t a, std::uint32_t b) {
-    return (static_cast<std::uint64_t>(a) << 32) | b;
-  };
-  std::unordered_map<std::uint64_t, Side> side;
-  std::size_t corners = 0;
-  for (const auto& face : mesh.faces) corners += face.size();
-  side.reserve(corners);
-  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-    const auto& face = mesh.faces[f];
-    for (std::uint32_t k = 0; k < face.size(); ++k) {
-      if (!side.try_emplace(key(face[k], face[(k + 1) % face.size()]), Side{f, k}).second) {
-        throw InvalidInput(fmt::format(
-            "planar mesh: edge {}-{} of face {} runs the same way in another face; faces must be "
-            "counter-clockwise and share an edge by two at most",
-            face[k], face[(k + 1) % face.size()], f));
+  std::vector<std::uint32_t> start;
+  std::vector<Side> items;
+
+  explicit Sides(const PlanarMesh& mesh) : start(mesh.vertices.size() + 1, 0) {
+    for (const auto& face : mesh.faces) {
+      for (const std::uint32_t v : face) ++start[v + 1];
+    }
+    for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
+    items.resize(start.back());
+    std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
+    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+      const auto& face = mesh.faces[f];
+      for (std::uint32_t k = 0; k < face.size(); ++k) {
+        items[at[face[k]]++] = {face[k + 1 < face.size() ? k + 1 : 0], f, k};
       }
     }
   }
+
+  /// The sides from a to b, one in a sound mesh.
+  template <class Visit>
+  void from_to(std::uint32_t a, std::uint32_t b, Visit&& visit) const {
+    for (std::uint32_t i = start[a]; i < start[a + 1]; ++i) {
+      if (items[i].to == b) visit(items[i]);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<SharedEdge> shared_edges(const PlanarMesh& mesh) {
+  const Sides sides(mesh);
   std::vector<SharedEdge> edges;
-  edges.reserve(corners / 2);
+  edges.reserve(sides.items.size() / 2);
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
     const auto& face = mesh.faces[f];
     for (std::uint32_t k = 0; k < face.size(); ++k) {
-      const auto other = side.find(key(face[(k + 1) % face.size()], face[k]));
-      if (other == side.end() || other->second.face <= f) continue;
-      edges.push_back({{f, other->second.face}, {k, other->second.edge}});
+      const std::uint32_t a = face[k];
+      const std::uint32_t b = face[k + 1 < face.size() ? k + 1 : 0];
+      sides.from_to(a, b, [&](const Sides::Side& same) {
+        if (same.face == f && same.edge == k) return;
+        throw InvalidInput(fmt::format(
+            "planar mesh: edge {}-{} of face {} runs the same way in another face; faces must be "
+            "counter-clockwise and share an edge by two at most",
+            a, b, f));
+      });
+      sides.from_to(b, a, [&](const Sides::Side& twin) {
+        if (twin.face > f) edges.push_back({{f, twin.face}, {k, twin.edge}});
+      });
     }
   }
   return edges;

@@ -22,7 +22,7 @@ TEST(Synth, RegeneratesTheShippedDatasetsByteForByte) {
        {std::pair("saddle", "saddle.asc"), std::pair("shaft", "shaft.obj"),
         std::pair("harbour", "harbour.asc")}) {
     ASSERT_EQ(folder.run(std::string("synth ") + shape + " -o " + file).code, 0);
-    EXPECT_EQ(text_of(folder / file), text_of(dataset(file))) << file;
+    EXPECT_TRUE(text_of(folder / file) == text_of(dataset(file))) << file;
     EXPECT_GT(text_of(dataset(file)).size(), 1000U);
   }
 }
@@ -112,8 +112,8 @@ TEST(Plan, TheSameBytesForAnyNumberOfThreadsAndTwice) {
   ASSERT_EQ(folder.run(command + "--threads 2 -o b").code, 0);
   ASSERT_EQ(folder.run(command + "--threads 2 -o c").code, 0);
   for (const char* name : {"route.csv", "score.json", "plan.json", "coverage.tif"}) {
-    EXPECT_EQ(text_of(folder / "a" / name), text_of(folder / "b" / name)) << name;
-    EXPECT_EQ(text_of(folder / "b" / name), text_of(folder / "c" / name)) << name;
+    EXPECT_TRUE(text_of(folder / "a" / name) == text_of(folder / "b" / name)) << name;
+    EXPECT_TRUE(text_of(folder / "b" / name) == text_of(folder / "c" / name)) << name;
   }
 }
 
@@ -163,8 +163,8 @@ TEST(Plan, ProjectedDataComeOutInLongitudeAndLatitude) {
       std::string(SWATHPLAN_SOURCE_DIR) + "/../shared/datasets/ela_lake_soundings/227_LA.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "the lake's soundings are not there";
   const Folder folder;
-  const auto run =
-      folder.run("plan '" + file + "' --planner back-and-forth --resolution 0.25 -o out");
+  const auto run = folder.run(
+      "plan '" + file + "' --crs EPSG:4326 --planner back-and-forth --resolution 0.25 -o out");
   ASSERT_EQ(run.code, 0) << run.err;
   GDALAllRegister();
   const GDALDatasetUniquePtr route(

@@ -115,7 +115,7 @@ TEST(PlanJson, HoldsRegionsGatesAndBlockedEdgesInFileCoordinates) {
   EXPECT_EQ(read["gates"][0]["regions"], json::array({0, 1}));
   EXPECT_NEAR(read["gates"][0]["slope_deg"].get<double>(), 7.5, 1e-9);
   EXPECT_EQ(read["gates"][0]["edge_xy"], json::parse("[[1010.0,2000.0],[1010.0,2010.0]]"));
-  EXPECT_EQ(read["blocked_edges_xy"], json::parse("[[[1020.0,2000.0],[1020.0,2010.0]]]"));
+  EXPECT_EQ(read["blocked_edges"], json::parse("[[[1020.0,2000.0],[1020.0,2010.0]]]"));
   EXPECT_EQ(read["sonar"]["beams"], 256);
   EXPECT_EQ(read["vehicle"]["draft_m"], 0.3);
   EXPECT_EQ(read["version"], "0.1.0");
