@@ -24,7 +24,7 @@ struct AccordionCommand {
   AdaptOutput output;
   AccordionOptions planner{.width_m = 1000.0, .length_m = 500.0};
   std::string rule = "basic";
-  std::optional<double> threshold;
+  std::optional<double> threshold, clearance_m;
   double p_obj = 0.2;
   int objects = 12;
   SideScanSonar sonar;
@@ -37,6 +37,8 @@ struct AccordionCommand {
 // Abstract costs are 0.1 and 1; the costs of images are measured against their surroundings.
 constexpr double kWorldThreshold = 0.5;
 constexpr double kImageThreshold = 1.0;
+// An image places an object by slant range on a flat bottom; slopes and heights move it.
+constexpr double kImageClearance = 3.0;
 
 AccordionRule rule_of(const std::string& name) {
   if (name == "basic") return AccordionRule::basic;
@@ -44,10 +46,12 @@ AccordionRule rule_of(const std::string& name) {
   throw UsageError(fmt::format("--rule {}; must be basic or bounded", name));
 }
 
-AccordionOptions planner_of(const AccordionCommand& c, double default_threshold) {
+AccordionOptions planner_of(const AccordionCommand& c, double default_threshold,
+                            double default_clearance = 0.0) {
   AccordionOptions options = c.planner;
   options.rule = rule_of(c.rule);
   options.threshold = c.threshold.value_or(default_threshold);
+  options.clearance_m = c.clearance_m.value_or(default_clearance);
   check(options);
   return options;
 }
@@ -73,6 +77,7 @@ Provenance provenance(const AccordionCommand& c, const AccordionOptions& o,
                            {"spacing_m", o.spacing_m},
                            {"nadir_gap_m", o.nadir_gap_m},
                            {"threshold", o.threshold},
+                           {"clearance_m", o.clearance_m},
                            {"rule", c.rule},
                            {"start_corner", c.box.start}});
 }
@@ -116,7 +121,7 @@ double mean_depth(const SurveyBox& box, const DepthQuery& depths) {
 }
 
 void simulate_seafloor(const AccordionCommand& c) {
-  const AccordionOptions o = planner_of(c, kImageThreshold);
+  const AccordionOptions o = planner_of(c, kImageThreshold, kImageClearance);
   check(c.sonar);
   auto site = load_site(c.site, Vehicle{});
   const SurveyBox box = box_of(c.box, o.width_m, o.length_m, site->seafloor().frame);
@@ -274,12 +279,16 @@ void study(const AccordionCommand& c) {
       {}};
   for (std::size_t a = 0; a < kAlphas.size(); ++a) {
     ChartCurve ours{fmt::format("alpha {:g}", kAlphas[a]), {}, {}, false};
+    ChartCurve published{"", {}, {}, true};
     for (int k = 0; k < kShares; ++k) {
       const auto& r = rows[a * kShares + static_cast<std::size_t>(k)];
       ours.x.push_back(r[1]);
       ours.y.push_back(r[4]);
+      published.x.push_back(r[1]);
+      published.y.push_back(r[6]);
     }
     chart.curves.push_back(std::move(ours));
+    chart.curves.push_back(std::move(published));
   }
   write_chart_png(c.output.folder / (s.name + ".png"), chart);
   const std::string summary = study_summary(rows);
@@ -350,6 +359,8 @@ void add_planner_options(CLI::App& command, AccordionCommand& c) {
   command.add_option("--nadir-gap", c.planner.nadir_gap_m, "Half-width of the blind strip, m");
   command.add_option("--threshold", c.threshold,
                      "Cost from which something is an object (default: 0.5; images 1)");
+  command.add_option("--clearance", c.clearance_m,
+                     "Uncertainty of an object's place, m (bounded rule; default: 0; images 3)");
   command.add_option("--rule", c.rule, "basic or bounded")->capture_default_str();
   add_box_options(command, c.box);
   add_adapt_output(command, c.output);

@@ -231,7 +231,7 @@ void study(const SpacingCommand& c) {
               {}};
   for (std::size_t r = 0; r < kTrueRanges.size(); ++r) {
     for (const bool adapt : {true, false}) {
-      ChartCurve curve{fmt::format("true {:g} m", kTrueRanges[r]), {}, {}, !adapt};
+      ChartCurve curve{adapt ? fmt::format("true {:g} m", kTrueRanges[r]) : "", {}, {}, !adapt};
       for (std::size_t k = 0; k < kStarts; ++k) {
         curve.x.push_back(rows[r * kStarts + k][1]);
         curve.y.push_back(rows[r * kStarts + k][adapt ? 9 : 5]);

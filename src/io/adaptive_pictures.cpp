@@ -172,13 +172,16 @@ void write_chart_png(const std::filesystem::path& path, const Chart& chart) {
   const Axes axes = fitted_axes(chart);
   draw_grid(image, axes);
   int y = kTop + 10;
-  for (std::size_t i = 0; i < chart.curves.size(); ++i) {
-    const cv::Scalar& colour = kColours[i % kColours.size()];
-    draw_curve(image, axes, chart.curves[i], colour);
-    const cv::Point from = cv::Point(axes.at(axes.x1, axes.y1).x + 10, y);
-    cv::line(image, from, from + cv::Point(18, 0), colour, chart.curves[i].dashed ? 1 : 2,
-             cv::LINE_AA);
-    text(image, chart.curves[i].label, from + cv::Point(24, 4), 0.38);
+  std::size_t colours = 0;
+  for (const ChartCurve& curve : chart.curves) {
+    // A curve without a name goes with the one before it.
+    if (!curve.label.empty()) ++colours;
+    const cv::Scalar& colour = kColours[std::max<std::size_t>(1, colours) % kColours.size()];
+    draw_curve(image, axes, curve, colour);
+    if (curve.label.empty()) continue;
+    const cv::Point from(axes.at(axes.x1, axes.y1).x + 10, y);
+    cv::line(image, from, from + cv::Point(18, 0), colour, curve.dashed ? 1 : 2, cv::LINE_AA);
+    text(image, curve.label, from + cv::Point(24, 4), 0.38);
     y += 18;
   }
   text(image, chart.title, {kLeft, 22}, 0.5);

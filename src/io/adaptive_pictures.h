@@ -11,7 +11,7 @@ namespace swathplan {
 
 /// A curve of a chart.
 struct ChartCurve {
-  std::string label;
+  std::string label;  ///< empty: in the colour of the curve before it, not in the legend
   std::vector<double> x, y;
   bool dashed = false;
 };

@@ -166,6 +166,10 @@ void check(const AccordionOptions& o) {
     throw UsageError(fmt::format("nadir gap = {} m; must lie in [0, spacing = {} m)", o.nadir_gap_m,
                                  o.spacing_m));
   }
+  if (!(o.clearance_m >= 0.0 && o.clearance_m < 0.5 * (o.spacing_m - o.nadir_gap_m))) {
+    throw UsageError(fmt::format("clearance = {} m; must lie in [0, half of spacing - nadir gap)",
+                                 o.clearance_m));
+  }
   if (!(o.threshold >= 0.0) || !std::isfinite(o.threshold)) {
     throw UsageError(
         fmt::format("threshold = {}; must be a finite number of at least 0", o.threshold));

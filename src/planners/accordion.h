@@ -22,6 +22,9 @@ struct AccordionOptions {
   double nadir_gap_m = 0.0;  ///< half-width of the blind strip below the sonar, [0, spacing_m)
   double threshold = 0.5;    ///< a cost above it is an object of interest, >= 0
   AccordionRule rule = AccordionRule::basic;
+  /// How far an object may lie from where the cost map shows it, >= 0. The bounded rule, which lays
+  /// tracks by the objects' places, stays so far clear of the limits of its looks.
+  double clearance_m = 0.0;
 };
 /// @throws UsageError if an option breaks its rule; the message names it.
 void check(const AccordionOptions& options);

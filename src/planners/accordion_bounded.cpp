@@ -34,7 +34,7 @@ double lawnmower_length_m(const AccordionOptions& o, double from) {
 // A skip to `next` fails at worst by one loop back to the strip's edge, a lawnmower after it.
 double worst_length_m(const AccordionState& state, double next) {
   const AccordionOptions& o = state.options;
-  const double unseen = next - front(state) - o.spacing_m;
+  const double unseen = next - front(state) - o.spacing_m + o.clearance_m;
   return state.sailed_m + std::abs(next - position(state)) + o.length_m + 2.0 * unseen +
          o.length_m + lawnmower_length_m(o, next);
 }
@@ -64,16 +64,40 @@ double farthest_look(const AccordionState& state) {
   double result = front(state) + 2.0 * state.options.spacing_m;
   for (const Interval& o : state.pending) {
     if (!waits(state, o)) continue;
-    result = std::min(result, state.seen_from_above.run_end(o.low) + sonar_range_m(state.options));
+    result = std::min(result, state.seen_from_above.run_end(o.low) + sonar_range_m(state.options) -
+                                  state.options.clearance_m);
   }
   return std::max(result, front(state) + state.options.spacing_m);
+}
+
+// How far back a loop has to see for an object: to its near edge; or, where images place objects
+// only roughly and one look finds what another did not, to the end of what was seen from below, so
+// that no second loop follows.
+double loop_edge(const AccordionState& state, const Interval& object) {
+  const AccordionOptions& o = state.options;
+  if (o.clearance_m == 0.0) return state.seen_from_below.run_end(object.low);
+  double end = 0.0;
+  for (const Interval& s : state.seen_from_below.stretches()) {
+    if (s.high <= object.low + kSamePlace || s.low <= object.low) end = std::max(end, s.high);
+  }
+  return end - std::min(o.clearance_m, o.nadir_gap_m);
+}
+
+// The first loop after a skip always does; further ones, which only contradicting looks ask for,
+// must not break the bound.
+bool loop_stays_in_bound(const AccordionState& state, double back) {
+  const AccordionOptions& o = state.options;
+  const double whole = o.length_m + lawnmower_length_m(o, 0.0) + o.length_m + o.spacing_m;
+  const double way = std::abs(position(state) - back) + o.length_m + state.front_m - back;
+  return state.sailed_m + way + lawnmower_length_m(o, state.front_m) <= whole + kSamePlace;
 }
 
 // Nearest track beyond every object ahead; `none` where no object waits.
 double beyond_objects(const AccordionState& state, double none) {
   double result = none;
   for (const Interval& o : state.pending) {
-    if (waits(state, o)) result = std::max(result, o.high + state.options.nadir_gap_m);
+    if (!waits(state, o)) continue;
+    result = std::max(result, o.high + state.options.nadir_gap_m + state.options.clearance_m);
   }
   return result;
 }
@@ -88,15 +112,16 @@ double bounded_start(const AccordionState& state) {
 }
 
 std::optional<double> bounded_loop_back(const AccordionState& state) {
+  const AccordionOptions& o = state.options;
   std::optional<double> back;
-  for (const Interval& o : state.pending) {
-    if (o.low >= state.front_m || state.seen_from_below.covers(o)) continue;
-    const double edge = state.seen_from_below.run_end(o.low) - state.options.nadir_gap_m;
+  for (const Interval& object : state.pending) {
+    if (object.low >= state.front_m || state.seen_from_below.covers(object)) continue;
+    const double edge = loop_edge(state, object) - o.nadir_gap_m;
     back = std::max(0.0, back ? std::min(*back, edge) : edge);
   }
   if (!back || *back > state.front_m - kSamePlace) return std::nullopt;
   const bool been_there = std::abs(position(state) - *back) < kSamePlace;
-  return been_there ? std::nullopt : back;
+  return been_there || !loop_stays_in_bound(state, *back) ? std::nullopt : back;
 }
 
 double bounded_step(const AccordionState& state) {

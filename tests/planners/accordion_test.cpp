@@ -168,6 +168,21 @@ TEST(Accordion, BoundedIsNeverLongerThanTheLawnmowerByMoreThanATrack) {
   }
 }
 
+// The same with a clearance, for which it goes back farther than the object.
+TEST(Accordion, BoundHoldsWithAClearance) {
+  for (const double alpha : {0.1, 0.5, 1.0}) {
+    AccordionOptions o = options(30.0, AccordionRule::bounded);
+    o.length_m = kW / alpha;
+    o.clearance_m = 6.0;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+      const auto world = random_strips(o.width_m, kW, 0.1 * static_cast<double>(seed % 11), seed);
+      ASSERT_LE(excess_in_tracks(world, o), 1.0 + 1e-9) << alpha << " " << seed;
+      const auto mission = sail(world, o);
+      ASSERT_EQ(mission.objects_seen_twice, mission.objects) << alpha << " " << seed;
+    }
+  }
+}
+
 TEST(Accordion, BasicBreaksThatBound) {  // or the test above would prove nothing
   AccordionOptions o = options(40);
   o.length_m = kW;
@@ -265,6 +280,9 @@ TEST(Accordion, RefusesBadOptions) {
   o = options(8);
   o.spacing_m = 0.0;
   EXPECT_THAT(refusal(o), HasSubstr("spacing = 0"));
+  o = options(8);
+  o.clearance_m = 25.0;
+  EXPECT_THAT(refusal(o), HasSubstr("clearance = 25"));
   o = options(8);
   o.nadir_gap_m = kW;
   EXPECT_THAT(refusal(o), HasSubstr("nadir gap"));
