@@ -135,6 +135,13 @@ void add_site_options(CLI::App& command, SiteOptions& o) {
       .add_option("--area", o.area, "Survey only inside these polygons (GeoJSON, GeoPackage, ...)")
       ->group(group);
   command.add_option("--no-go", o.no_go, "Never enter these polygons")->group(group);
+  command
+      .add_option(
+          "--run-out-margin", o.run_out_margin_m,
+          "The boat may turn so far beyond the data's outer edge, metres; only where no land "
+          "is")
+      ->capture_default_str()
+      ->group(group);
 }
 
 void add_scoring_options(CLI::App& command, SurveyOptions& o) {
@@ -160,7 +167,19 @@ void add_scoring_options(CLI::App& command, SurveyOptions& o) {
       ->group(group);
   command.add_option("--draft", o.draft_m, "Draft and depth of the sonar, metres")->group(group);
   command.add_option("--margin", o.margin_m, "Water wanted below the keel, metres")->group(group);
+  command.add_option("--squat", o.squat_m, "Deeper by this under way, metres")->group(group);
+  command
+      .add_option("--clearance", o.clearance_m, "Kept from walls, shoals and no-go areas, metres")
+      ->group(group);
+  command.add_option("--turn-radius", o.turn_radius_m, "Smallest turn radius, metres")
+      ->group(group);
   command.add_option("--speed", o.speed_mps, "Speed on lines, m/s")->group(group);
+  command.add_option("--turn-speed", o.turn_speed_mps, "Speed in turns between lines, m/s")
+      ->group(group);
+  command.add_option("--transit-speed", o.transit_speed_mps, "Speed between areas, m/s")
+      ->group(group);
+  command.add_option("--endurance", o.endurance_h, "Longest time under way, hours")->group(group);
+  command.add_option("--power", o.power_w, "Mean power under way, watts")->group(group);
   command.add_option("--nodata", o.nodata, "What beams meet beyond the data: wall or open")
       ->check(CLI::IsMember({"wall", "open"}))
       ->capture_default_str()
@@ -214,10 +233,41 @@ void add_planning_options(CLI::App& command, SurveyOptions& o) {
       ->check(CLI::IsMember({"region", "ping"}))
       ->capture_default_str()
       ->group(group);
+  command
+      .add_option("--run-in", o.run_in_m,
+                  "Sail this far straight before each line, metres; less than 0 shortens the line")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--run-out", o.run_out_m, "... and behind each line, metres")
+      ->capture_default_str()
+      ->group(group);
   command.add_option("--start", o.start, "Begin near X,Y (coordinates of FILE)")->group(group);
   command
       .add_option("--heading", o.heading_deg,
                   "Azimuth of straight lines, degrees (default: the one with the fewest lines)")
+      ->group(group);
+  command
+      .add_option("--lines", o.lines,
+                  "fitted-lines: straight lines, field lines along fronts from long walls, or both "
+                  "tried")
+      ->check(CLI::IsMember({"straight", "field", "auto"}))
+      ->capture_default_str()
+      ->group(group);
+  auto* coverage =
+      command.add_option("--coverage", o.goal_coverage_pct,
+                         "fitted-lines: the shortest plan with this hit coverage, per cent");
+  auto* length = command.add_option("--length", o.goal_length_m,
+                                    "fitted-lines: the most coverage within so many metres");
+  auto* time = command.add_option("--time", o.goal_time_h,
+                                  "fitted-lines: the most coverage within so many hours");
+  coverage->group(group)->excludes(length)->excludes(time);
+  length->group(group)->excludes(time);
+  time->group(group);
+  command
+      .add_option(
+          "--line-margin", o.line_margin_pct,
+          "fitted-lines: per cent of the swath kept in reserve against drift and a wrong map")
+      ->capture_default_str()
       ->group(group);
 }
 
@@ -272,11 +322,29 @@ Vehicle vehicle_of(const SurveyOptions& o) {
   Vehicle vehicle = *preset;
   set_if(vehicle.draft_m, o.draft_m);
   set_if(vehicle.under_keel_margin_m, o.margin_m);
+  set_if(vehicle.squat_m, o.squat_m);
+  set_if(vehicle.clearance_m, o.clearance_m);
+  set_if(vehicle.turn_radius_m, o.turn_radius_m);
   set_if(vehicle.speed_mps, o.speed_mps);
+  set_if(vehicle.turn_speed_mps, o.turn_speed_mps);
+  set_if(vehicle.transit_speed_mps, o.transit_speed_mps);
+  set_if(vehicle.endurance_h, o.endurance_h);
+  if (o.power_w) vehicle.power_w = o.power_w;
   require(vehicle.draft_m >= 0.0, "--draft", vehicle.draft_m, "must be 0 metres or more");
   require(vehicle.under_keel_margin_m >= 0.0, "--margin", vehicle.under_keel_margin_m,
           "must be 0 metres or more");
+  require(vehicle.squat_m >= 0.0, "--squat", vehicle.squat_m, "must be 0 metres or more");
+  require(vehicle.clearance_m >= 0.0, "--clearance", vehicle.clearance_m,
+          "must be 0 metres or more");
+  require(vehicle.turn_radius_m > 0.0, "--turn-radius", vehicle.turn_radius_m,
+          "must be above 0 metres");
   require(vehicle.speed_mps > 0.0, "--speed", vehicle.speed_mps, "must be above 0 m/s");
+  require(vehicle.turn_speed_mps > 0.0, "--turn-speed", vehicle.turn_speed_mps,
+          "must be above 0 m/s");
+  require(vehicle.transit_speed_mps > 0.0, "--transit-speed", vehicle.transit_speed_mps,
+          "must be above 0 m/s");
+  require(vehicle.endurance_h > 0.0, "--endurance", vehicle.endurance_h, "must be above 0 hours");
+  if (o.power_w) require(*o.power_w > 0.0, "--power", *o.power_w, "must be above 0 watts");
   return vehicle;
 }
 
@@ -294,11 +362,31 @@ PlanOptions plan_options(const SurveyOptions& o, const Frame& frame) {
   result.bands = bands(o.depth_bands);
   result.smallest_region_m2 = o.smallest_region_m2;
   result.opening = o.opening == "ping" ? Opening::ping : Opening::region;
+  require(true, "--run-in", o.run_in_m, "must be a number of metres");
+  require(true, "--run-out", o.run_out_m, "must be a number of metres");
+  result.run_in_m = o.run_in_m;
+  result.run_out_m = o.run_out_m;
   if (!o.start.empty()) result.start = start_point(o.start, frame);
   if (o.heading_deg) {
     require(true, "--heading", *o.heading_deg, "must be a number of degrees");
     result.heading = Angle::degrees(*o.heading_deg);
   }
+  result.lines = o.lines == "straight" ? LineSource::straight
+                 : o.lines == "field"  ? LineSource::field
+                                       : LineSource::automatic;
+  if (o.goal_coverage_pct) {
+    require(*o.goal_coverage_pct > 0.0 && *o.goal_coverage_pct <= 100.0, "--coverage",
+            *o.goal_coverage_pct, "must be above 0 and at most 100 per cent");
+  }
+  if (o.goal_length_m)
+    require(*o.goal_length_m > 0.0, "--length", *o.goal_length_m, "must be above 0");
+  if (o.goal_time_h) require(*o.goal_time_h > 0.0, "--time", *o.goal_time_h, "must be above 0");
+  result.goal.coverage_pct = o.goal_coverage_pct;
+  result.goal.length_m = o.goal_length_m;
+  if (o.goal_time_h) result.goal.time_s = 3600.0 * *o.goal_time_h;
+  require(o.line_margin_pct >= 0.0 && o.line_margin_pct < 90.0, "--line-margin", o.line_margin_pct,
+          "must be at least 0 and under 90 per cent");
+  result.lines_margin = o.line_margin_pct / 100.0;
   return result;
 }
 
@@ -355,6 +443,7 @@ Provenance provenance_of(const std::string& command, const SiteOptions& site,
   add("z_unit_m", z_unit_m(site.z_unit));
   add("area_file", file(site.area));
   add("no_go_file", file(site.no_go));
+  add("run_out_margin_m", site.run_out_margin_m);
   add("resolution_m", o.resolution_m);
   add("ping_spacing_m", o.ping_spacing_m);
   add("sonar", sonar.name);
@@ -364,7 +453,14 @@ Provenance provenance_of(const std::string& command, const SiteOptions& site,
   add("vehicle", vehicle.name);
   add("draft_m", vehicle.draft_m);
   add("under_keel_margin_m", vehicle.under_keel_margin_m);
+  add("squat_m", vehicle.squat_m);
+  add("clearance_m", vehicle.clearance_m);
+  add("turn_radius_m", vehicle.turn_radius_m);
   add("speed_mps", vehicle.speed_mps);
+  add("turn_speed_mps", vehicle.turn_speed_mps);
+  add("transit_speed_mps", vehicle.transit_speed_mps);
+  add("endurance_h", vehicle.endurance_h);
+  if (vehicle.power_w) add("power_w", *vehicle.power_w);
   add("nodata", o.nodata);
   add("lateral_sigma_m", score.noise.lateral_sigma_m);
   add("heading_sigma_deg", score.noise.heading_sigma.deg());
@@ -378,8 +474,15 @@ Provenance provenance_of(const std::string& command, const SiteOptions& site,
             0.3 * std::pow(o.face_size.value_or(1.0) * sonar.beams * o.resolution_m, 2)));
     if (o.face_size) add("face_size", *o.face_size);
     add("opening", o.opening);
+    add("run_in_m", o.run_in_m);
+    add("run_out_m", o.run_out_m);
     add("start", o.start);
     if (o.heading_deg) add("heading_deg", *o.heading_deg);
+    add("lines", o.lines);
+    if (o.goal_coverage_pct) add("goal_coverage_pct", *o.goal_coverage_pct);
+    if (o.goal_length_m) add("goal_length_m", *o.goal_length_m);
+    if (o.goal_time_h) add("goal_time_h", *o.goal_time_h);
+    add("line_margin_pct", o.line_margin_pct);
   }
   return p;
 }

@@ -22,6 +22,7 @@ struct SiteOptions {
   std::string z_unit = "metre";
   std::optional<double> xy_unit_m, longest_edge_m, nodata_value;
   std::filesystem::path area, no_go;
+  double run_out_margin_m = 0.0;  ///< beyond the data's edge where the boat may turn
 };
 
 /// What is planned and scored with. Text where the command line takes text; resolved() checks it.
@@ -33,13 +34,19 @@ struct SurveyOptions {
   std::optional<double> max_opening_deg;
   std::string beam_spacing = "equiangular";
   std::string vehicle = "wam-v";
-  std::optional<double> draft_m, margin_m, speed_mps;
+  std::optional<double> draft_m, margin_m, squat_m, clearance_m;
+  std::optional<double> speed_mps, turn_speed_mps, transit_speed_mps, turn_radius_m;
+  std::optional<double> endurance_h, power_w;
+  double run_in_m = 0.0, run_out_m = 0.0;
   std::string depth_bands = "2";
   std::optional<double> smallest_region_m2;
   std::optional<double> face_size;
   std::string opening = "region";
   std::string start;
   std::optional<double> heading_deg;
+  std::string lines = "auto";
+  std::optional<double> goal_coverage_pct, goal_length_m, goal_time_h;
+  double line_margin_pct = 0.0;
   std::string nodata = "wall";
   std::string noise = "none";
   std::optional<double> lateral_sigma_m, heading_sigma_deg, roll_sigma_deg, heave_sigma_m;

@@ -62,6 +62,7 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
   facts.sonar = sonar_of(options);
   facts.vehicle = vehicle_of(options);
   facts.notes = survey.plan.notes;
+  facts.notes.insert(facts.notes.end(), site.notes.begin(), site.notes.end());
   write_plan_json(folder / "plan.json", facts, frame, provenance);
   write_coverage_tif(folder / "coverage.tif", survey.scored.grid, frame);
   write_coverage_png(folder / "coverage.png", survey.scored.grid, survey.label);
@@ -82,8 +83,10 @@ void write_survey_report(const std::filesystem::path& file, const std::string& t
   if (const Plan* plan = plan_with_regions(surveys)) add_regions(*plan, report);
   std::vector<ReportPlan> plans;
   for (const PlannedSurvey& s : surveys) {
+    std::vector<std::string> notes = s.plan.notes;
+    notes.insert(notes.end(), site.notes.begin(), site.notes.end());
     plans.push_back({s.label, &s.plan.route, &s.scored.score, &s.scored.grid, s.planning_seconds,
-                     s.plan.notes});
+                     std::move(notes)});
   }
   write_report(file, report, plans);
 }
@@ -106,6 +109,7 @@ std::string table(const std::vector<PlannedSurvey>& surveys) {
 void print_notes(const Site& site, bool quiet) {
   if (quiet) return;
   for (const std::string& note : site.imported.notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : site.notes) fmt::print(stderr, "note: {}\n", note);
   for (const std::string& warning : warnings_of(site.imported))
     fmt::print(stderr, "warning: {}\n", warning);
 }

@@ -10,7 +10,11 @@ namespace swathplan {
 struct Site {
   ImportedSeafloor imported;
   std::unique_ptr<DepthQuery> depths;
-  Area survey_area, water, no_go;
+  Area survey_area;  ///< cells that count
+  Area water;        ///< safe for the boat: deep enough, clear of walls and no-go
+  Area no_go;
+  double cut_off_m2 = 0.0;         ///< of the survey area outside the safe water
+  std::vector<std::string> notes;  ///< one sentence each, for people
 
   [[nodiscard]] const Seafloor& seafloor() const { return imported.seafloor; }
   /// `scene` lets planners look before they choose.

@@ -21,7 +21,7 @@ constexpr std::array<std::pair<LegKind, std::string_view>, 8> kNames{{
 
 bool same_leg(const Waypoint& a, const Waypoint& b) {
   return a.kind == b.kind && a.log == b.log && a.line == b.line && a.region == b.region &&
-         a.fan.has_value() == b.fan.has_value();
+         a.feasible == b.feasible && a.fan.has_value() == b.fan.has_value();
 }
 
 bool is_half_angle(Angle a) { return a.deg() > 0.0 && a.deg() < 90.0; }

@@ -31,6 +31,7 @@ struct Waypoint {
   std::optional<FanAngles> fan;  ///< empty: sonar off
   double speed_mps = 2.0;
   std::optional<int> region;  ///< depth region
+  bool feasible = true;       ///< false: no way that the vehicle can steer in safe water was found
 };
 
 /// A route: straight segments between waypoints, dense enough that they are the path.
@@ -40,8 +41,8 @@ struct Route {
 
 [[nodiscard]] double length_m(const Route& route);
 
-/// A maximal run of consecutive waypoints with the same (line, kind, log, region, whether the sonar
-/// is on), with the first waypoint of the next leg as its last point.
+/// A maximal run of consecutive waypoints with the same (line, kind, log, region, feasible, whether
+/// the sonar is on), with the first waypoint of the next leg as its last point.
 struct Leg {
   std::size_t first, last;  ///< waypoint indices, first < last
 };

@@ -1,7 +1,7 @@
 #include "planners/back_and_forth.h"
 
+#include "planners/route_builder.h"
 #include "planners/survey_lines.h"
-#include "planners/water_path.h"
 
 namespace swathplan {
 
@@ -18,11 +18,11 @@ Plan plan_back_and_forth(const PlanningGround& ground, const PlanOptions& option
   plan.mesh = {};
   plan.edges.clear();
 
-  const Angle azimuth = options.heading.value_or(best_azimuth(ground.survey_area, width));
-  const auto lines =
-      to_and_fro(parallel_lines(ground.survey_area,
-                                {.azimuth = azimuth, .spacing_m = width, .inset_m = kLineInset}),
-                 options.start);
+  const Area area = reachable_area(ground);
+  const Angle azimuth = options.heading.value_or(best_azimuth(area, width));
+  const auto lines = to_and_fro(
+      parallel_lines(area, {.azimuth = azimuth, .spacing_m = width, .inset_m = kLineInset}),
+      options.start);
   RouteBuilder builder(ground, options);
   int number = 1;
   for (const SurveyLine& line : lines)

@@ -41,13 +41,14 @@ Plan best_mesh_plan(const PlanningGround& ground, const PlanOptions& options,
   if (options.face_size || ground.scene == nullptr || plain.faces.size() > kFewFaces) {
     return plan_on(std::move(plain));
   }
+  const Area area = reachable_area(ground);
   Plan best;
   Candidate chosen = kCandidates[0];
   double best_worth = -std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : kCandidates) {
-    Plan plan = plan_on(planar_mesh(
-        ground.survey_area, {.hypotenuse_m = candidate.face_size * footprint_width_m(options),
-                             .turn = Angle::degrees(candidate.turn_deg)}));
+    Plan plan =
+        plan_on(planar_mesh(area, {.hypotenuse_m = candidate.face_size * footprint_width_m(options),
+                                   .turn = Angle::degrees(candidate.turn_deg)}));
     const double here = worth(plan, ground, options);
     if (here <= best_worth) continue;
     best_worth = here;

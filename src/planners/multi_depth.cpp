@@ -5,7 +5,7 @@
 
 #include "planners/back_and_forth.h"
 #include "planners/survey_lines.h"
-#include "planners/water_path.h"
+#include "planners/route_builder.h"
 
 namespace swathplan {
 namespace {

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "planners/mesh_choice.h"
-#include "planners/water_path.h"
+#include "planners/route_builder.h"
 
 namespace swathplan {
 namespace {
@@ -215,7 +215,7 @@ std::vector<SkeletonCycle> nuc_skeleton(const PlanarMesh& mesh,
   return cycles;
 }
 
-std::vector<SkeletonPoint> rounded(const std::vector<SkeletonPoint>& p) {
+std::vector<SkeletonPoint> rounded(const std::vector<SkeletonPoint>& p, double radius_m) {
   constexpr double kStraight = 1e-6;  // radians: no arc is worth its points
   std::vector<SkeletonPoint> result;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -226,8 +226,9 @@ std::vector<SkeletonPoint> rounded(const std::vector<SkeletonPoint>& p) {
     const Vec2 in = p[i].position - p[i - 1].position;
     const Vec2 out = p[i + 1].position - p[i].position;
     const double turn = std::atan2(cross(in, out), in.dot(out));
+    const double most = std::min({0.5 * in.norm(), 0.5 * out.norm(), p[i].ahead_m, p[i].behind_m});
     const double reach =
-        kCornerShare * std::min({0.5 * in.norm(), 0.5 * out.norm(), p[i].ahead_m, p[i].behind_m});
+        std::max(kCornerShare * most, std::min(most, radius_m * std::tan(0.5 * std::abs(turn))));
     if (std::abs(turn) < kStraight || !(reach > 0.0)) {
       result.push_back(p[i]);
       continue;
@@ -297,7 +298,8 @@ Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
       begin_near(*pick, pick->front().position);
     }
     std::vector<Waypoint> points;
-    for (const SkeletonPoint& point : rounded(*pick)) {
+    for (const SkeletonPoint& point :
+         rounded(*pick, (1.0 + kRadiusReserve) * options.vehicle.turn_radius_m)) {
       Waypoint w;
       w.position = point.position;
       w.line = line;

@@ -42,8 +42,10 @@ using SkeletonCycle = std::vector<SkeletonPoint>;
 /// and from it, at most half-way and never outside the corner's own face: so it crosses no edge
 /// that the skeleton does not cross, nor itself. Arcs are drawn in chords of at most
 /// `kArcStepDeg` degrees. A fan that turns through a corner sweeps its outside, a jump in course
-/// leaves it empty; and the arc is the shorter way.
-[[nodiscard]] std::vector<SkeletonPoint> rounded(const std::vector<SkeletonPoint>& p);
+/// leaves it empty; and the arc is the shorter way. An arc is as wide as `radius_m` where that
+/// fits.
+[[nodiscard]] std::vector<SkeletonPoint> rounded(const std::vector<SkeletonPoint>& p,
+                                                 double radius_m = 0.0);
 inline constexpr double kArcStepDeg = 3.0;
 
 /// Skeleton cycles -> route: each cycle opened at its point nearest to `start` (or to where the

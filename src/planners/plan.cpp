@@ -13,6 +13,16 @@ double footprint_width_m(const PlanOptions& options) {
   return footprint_width_m(options.sonar, options.resolution_m);
 }
 
+Area reachable_area(const PlanningGround& ground) {
+  Area area = intersect(ground.survey_area, ground.water);
+  if (area.empty()) {
+    throw InvalidInput(
+        "no safe water in the survey area: depth, margin, no-go areas and clearance leave nothing; "
+        "lower --margin or --clearance");
+  }
+  return area;
+}
+
 void check(const PlanOptions& options) {
   if (!(options.resolution_m > 0.0) || !std::isfinite(options.resolution_m)) {
     throw UsageError(fmt::format("--resolution {}; must be above 0 metres", options.resolution_m));
@@ -35,8 +45,8 @@ void check(const PlanOptions& options) {
 
 PlanarMesh planning_mesh(const PlanningGround& ground, const PlanOptions& options) {
   check(options);
-  return planar_mesh(ground.survey_area, {.hypotenuse_m = options.face_size.value_or(1.0) *
-                                                          footprint_width_m(options)});
+  return planar_mesh(reachable_area(ground), {.hypotenuse_m = options.face_size.value_or(1.0) *
+                                                              footprint_width_m(options)});
 }
 
 DepthRegions planning_regions(const PlanarMesh& mesh, const std::vector<SharedEdge>& edges,

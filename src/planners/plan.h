@@ -13,6 +13,7 @@
 #include "mesh/planar_mesh.h"
 #include "mesh/polygons.h"
 #include "mesh/seafloor.h"
+#include "planners/pareto.h"
 
 namespace swathplan {
 
@@ -21,7 +22,7 @@ struct PlanningGround {
   const Seafloor* seafloor = nullptr;
   const DepthQuery* depths = nullptr;
   Area survey_area;  ///< to be covered
-  Area water;        ///< where the boat may be; holds the survey area
+  Area water;        ///< where the boat may be: deep enough, clear of walls and no-go
   /// For planners that try candidates on the simulator before they choose; without one they take
   /// their first candidate.
   const RayScene* scene = nullptr;
@@ -31,6 +32,13 @@ struct PlanningGround {
 enum class Opening {
   region,  ///< one opening angle per depth region (or one for the whole route)
   ping     ///< from the depth below the boat
+};
+
+/// Where fitted lines come from.
+enum class LineSource {
+  straight,  ///< parallel, spaced by the depth
+  field,     ///< level sets of a front that advances one swath at a time
+  automatic  ///< the simulator picks
 };
 
 struct PlanOptions {
@@ -47,8 +55,13 @@ struct PlanOptions {
   /// regular face.
   std::optional<double> smallest_region_m2;
   Opening opening = Opening::region;
+  double run_in_m = 0.0;   ///< sailed straight before each line, not logged; < 0 shortens the line
+  double run_out_m = 0.0;  ///< and behind it
   std::optional<Vec2> start;     ///< begin as near to this as the planner can
-  std::optional<Angle> heading;  ///< azimuth of the lines (B&F, MDB&F); empty: fewest lines
+  std::optional<Angle> heading;  ///< azimuth of straight lines; empty: the planner's choice
+  LineSource lines = LineSource::automatic;  ///< of fitted lines
+  PlanGoal goal;                             ///< of fitted lines
+  double lines_margin = 0.0;  ///< share of W that fitted lines keep in reserve, [0, 0.9)
 };
 
 /// A route and the evidence of how it came about.
@@ -60,10 +73,18 @@ struct Plan {
   Gates gates;
   std::vector<Angle> openings;     ///< full opening angle per region, or one
   std::vector<std::string> notes;  ///< one sentence each, for people
+  /// Fitted lines: the plans that no other beats in both length and coverage, shortest first, and
+  /// which of them the route is. Empty for other planners.
+  std::vector<Outcome> choices;
+  std::size_t chosen = 0;
 };
 
 /// W = beams x resolution, metres.
 [[nodiscard]] double footprint_width_m(const PlanOptions& options);
+
+/// The part of the survey area that the boat may sail in: lines and meshes are laid in it.
+/// @throws InvalidInput if there is none.
+[[nodiscard]] Area reachable_area(const PlanningGround& ground);
 
 /// @throws UsageError that names the option, its value and the rule.
 void check(const PlanOptions& options);

@@ -1,7 +1,5 @@
 #include "planners/water_path.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -175,68 +173,6 @@ std::optional<std::vector<Vec2>> WaterPath::find(const Vec2& from, const Vec2& t
   for (const std::uint32_t i : cells) way.push_back(impl_->centre(i));
   way.push_back(to);
   return impl_->pulled_taut(way);
-}
-
-std::vector<Waypoint> line_waypoints(const SurveyLine& line, int number, const FanAngles& fan,
-                                     const PlanOptions& options) {
-  Waypoint point;
-  point.line = number;
-  point.fan = fan;
-  point.speed_mps = options.vehicle.speed_mps;
-  std::vector<Waypoint> points(2, point);
-  points[0].position = line.from;
-  points[1].position = line.to;
-  return points;
-}
-
-RouteBuilder::RouteBuilder(const PlanningGround& ground, const PlanOptions& options)
-    : paths_(ground.water), turn_reach_(2.0 * footprint_width_m(options)) {}
-
-std::optional<Vec2> RouteBuilder::at() const {
-  if (route_.waypoints.empty()) return std::nullopt;
-  return route_.waypoints.back().position;
-}
-
-void RouteBuilder::join_to(const Waypoint& next) {
-  const Waypoint last = route_.waypoints.back();
-  const double apart = (next.position - last.position).norm();
-  // The last waypoint of a line begins the join: what a row says holds from its waypoint on.
-  Waypoint join = last;
-  join.kind = apart <= turn_reach_ ? LegKind::turn : LegKind::transit;
-  join.line.reset();
-  join.region.reset();
-  join.log = false;
-  const auto way = paths_.find(last.position, next.position);
-  if (!way) {
-    join.kind = LegKind::transit;
-    join.fan.reset();
-    notes_.push_back(fmt::format(
-        "no way through the water from ({:.1f}, {:.1f}) to ({:.1f}, {:.1f}): the transit between "
-        "these separate waters crosses land and is counted as outside the water",
-        last.position.x(), last.position.y(), next.position.x(), next.position.y()));
-  }
-  route_.waypoints.back() = join;
-  if (!way) return;
-  for (std::size_t i = 1; i + 1 < way->size(); ++i) {
-    join.position = (*way)[i];
-    route_.waypoints.push_back(join);
-  }
-}
-
-void RouteBuilder::add_line(const std::vector<Waypoint>& points) {
-  if (points.empty()) return;
-  if (!route_.waypoints.empty()) join_to(points.front());
-  route_.waypoints.insert(route_.waypoints.end(), points.begin(), points.end());
-}
-
-Route RouteBuilder::finish() {
-  if (!route_.waypoints.empty()) {
-    Waypoint& last = route_.waypoints.back();
-    last.kind = LegKind::end;
-    last.log = false;
-    last.line.reset();
-  }
-  return std::move(route_);
 }
 
 }  // namespace swathplan

@@ -1,0 +1,241 @@
+#include "planners/connect.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "mesh/area_query.h"
+#include "planners/line_poses.h"
+#include "planners/pose_search.h"
+#include "planners/water_path.h"
+
+namespace swathplan {
+namespace {
+
+/// A metre taken off a line costs this much more than a metre of way: the line is what is wanted.
+constexpr double kLineWorth = 2.0;
+/// Lines are shortened in these steps, in radii: fine ones up to a little over a radius, which a
+/// quarter turn at the water's edge needs; and up to kMostCut.
+constexpr double kFineStep = 1.0 / 16.0;
+constexpr double kFineCut = 1.25;
+constexpr double kCutStep = 0.25;
+constexpr double kMostCut = 4.0;
+
+Pose turned_back(const Pose& pose) { return {pose.position, -pose.course}; }
+
+struct Cut {
+  double off;
+  Pose pose;
+};
+
+/// The poses at which a line may be left (or, turned round, begun), least cut first.
+std::vector<Cut> cuts(const LinePoses& line, const ConnectOptions& options,
+                      const AreaQuery& water) {
+  const double most = std::min(options.longest_cut * line.length_m(), kMostCut * options.radius_m);
+  std::vector<Cut> result;
+  const double r = options.radius_m;
+  for (double off = 0.0; off <= most; off += (off < kFineCut * r ? kFineStep : kCutStep) * r) {
+    const auto place = line.at(line.length_m() - off);
+    const double cut = line.length_m() - place.along_m;
+    if (!result.empty() && cut - result.back().off < LinePoses::kCoincidentM) continue;
+    if (water.contains(place.pose.position)) result.push_back({cut, place.pose});
+  }
+  return result;
+}
+
+/// Courses for a line that is a point.
+std::vector<Cut> any_course(const Vec2& at) {
+  constexpr int kCourses = 16;
+  std::vector<Cut> result;
+  for (int k = 0; k < kCourses; ++k) {
+    const Angle a = Angle::radians(2.0 * std::numbers::pi * k / kCourses);
+    result.push_back({0.0, {at, {cos(a), sin(a)}}});
+  }
+  return result;
+}
+
+std::string at_text(const Vec2& p) { return fmt::format("({:.1f}, {:.1f})", p.x(), p.y()); }
+
+}  // namespace
+
+struct Connector::Impl {
+  AreaQuery water;
+  WaterPath ways;
+  ConnectOptions options;
+  PoseSearchOptions search;
+
+  Impl(const Area& area, const ConnectOptions& o) : water(area), ways(area), options(o) {
+    search.radius_m = o.radius_m * (1.0 + kRadiusReserve);
+    search.most_poses = kMostPoses;
+    search.in_water = [this](const std::vector<Vec2>& points) { return in_water(points); };
+  }
+
+  [[nodiscard]] bool in_water(const std::vector<Vec2>& points) const {
+    // Coarsely first: most paths that leave the water leave it far.
+    constexpr std::size_t kStride = 16;
+    for (std::size_t i = 0; i < points.size(); i += kStride) {
+      if (!water.contains(points[i])) return false;
+    }
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const double length = (points[i] - points[i - 1]).norm();
+      if (water.inside_length(points[i - 1], points[i]) < length - kDust * std::max(1.0, length)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::vector<Cut> sides(const std::vector<Vec2>& line, bool after) const {
+    std::vector<Vec2> there = line;
+    if (after) std::reverse(there.begin(), there.end());
+    const LinePoses poses(there);
+    if (poses.is_point()) return any_course(there.back());
+    std::vector<Cut> result = cuts(poses, options, water);
+    if (after) {
+      for (Cut& cut : result) cut.pose = turned_back(cut.pose);
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::optional<Connection> by_curve(const std::vector<Cut>& from,
+                                                   const std::vector<Cut>& to) const;
+  [[nodiscard]] std::optional<Connection> by_way(const std::vector<Cut>& from,
+                                                 const std::vector<Cut>& to) const;
+  [[nodiscard]] std::vector<Cut> ones_with_room(const std::vector<Cut>& all, bool leaving) const;
+  [[nodiscard]] std::vector<Vec2> written(const std::vector<Pose>& poses) const;
+};
+
+/// The Dubins path that costs least with what it takes off the lines.
+std::optional<Connection> Connector::Impl::by_curve(const std::vector<Cut>& from,
+                                                    const std::vector<Cut>& to) const {
+  struct Candidate {
+    double cost;
+    std::size_t a, b;
+    DubinsPath path;
+  };
+  std::vector<Candidate> all;
+  for (std::size_t a = 0; a < from.size(); ++a) {
+    for (std::size_t b = 0; b < to.size(); ++b) {
+      for (const DubinsPath& path : dubins_paths(from[a].pose, to[b].pose, search.radius_m)) {
+        all.push_back(
+            {path.length_m() + (kLineWorth - 1.0) * (from[a].off + to[b].off), a, b, path});
+      }
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Candidate& x, const Candidate& y) { return x.cost < y.cost; });
+  for (const Candidate& c : all) {
+    std::vector<Vec2> points = c.path.points(curve_step_m(search.radius_m));
+    if (!in_water(points)) continue;
+    return Connection{JoinKind::curve, std::move(points), from[c.a].off, to[c.b].off, {}};
+  }
+  return std::nullopt;
+}
+
+/// The poses from which a quarter turn, or as much straight on, stays in the water.
+std::vector<Cut> Connector::Impl::ones_with_room(const std::vector<Cut>& all, bool leaving) const {
+  std::vector<Cut> result;
+  const double quarter = 0.5 * std::numbers::pi * search.radius_m;
+  for (const Cut& cut : all) {
+    const Pose pose = leaving ? cut.pose : turned_back(cut.pose);
+    for (const int turn : {0, 1, -1}) {
+      const DubinsPath out(pose, search.radius_m, {turn, 0, 0}, {quarter, 0, 0});
+      if (!in_water(out.points(curve_step_m(search.radius_m)))) continue;
+      result.push_back(cut);
+      break;
+    }
+  }
+  return result;
+}
+
+std::vector<Vec2> Connector::Impl::written(const std::vector<Pose>& poses) const {
+  std::vector<Vec2> points{poses.front().position};
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const auto path = dubins_in_water(poses[i - 1], poses[i], search);
+    if (!path) return {};
+    const auto piece = path->points(curve_step_m(search.radius_m));
+    points.insert(points.end(), piece.begin() + 1, piece.end());
+  }
+  return points;
+}
+
+std::optional<Connection> Connector::Impl::by_way(const std::vector<Cut>& from,
+                                                  const std::vector<Cut>& to) const {
+  const auto leave = ones_with_room(from, true);
+  const auto arrive = ones_with_room(to, false);
+  constexpr std::size_t kTries = 3;
+  for (std::size_t k = 0; k < kTries; ++k) {
+    if (leave.empty() || arrive.empty()) break;
+    const Cut& a = leave[std::min(k * leave.size() / kTries, leave.size() - 1)];
+    const Cut& b = arrive[std::min(k * arrive.size() / kTries, arrive.size() - 1)];
+    const auto way = ways.find(a.pose.position, b.pose.position);
+    if (!way) break;
+    // What is left to go along the taut way, from the point of it that is nearest.
+    std::vector<double> left(way->size(), 0.0);
+    for (std::size_t i = way->size() - 1; i-- > 0;) {
+      left[i] = left[i + 1] + ((*way)[i + 1] - (*way)[i]).norm();
+    }
+    const auto to_go = [&](const Vec2& p) {
+      double best = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i + 1 < way->size(); ++i) {
+        const Vec2 u = (*way)[i + 1] - (*way)[i];
+        const double t =
+            std::clamp((p - (*way)[i]).dot(u) / std::max(u.squaredNorm(), 1e-12), 0.0, 1.0);
+        const double off = (p - ((*way)[i] + t * u)).norm();
+        best = std::min(best, off + left[i] - t * u.norm());
+      }
+      return best;
+    };
+    const auto poses = search_poses(a.pose, b.pose, to_go, search);
+    if (!poses) continue;
+    std::vector<Vec2> points = written(*poses);
+    if (points.empty()) continue;
+    return Connection{JoinKind::way, std::move(points), a.off, b.off, {}};
+  }
+  return std::nullopt;
+}
+
+Connector::Connector(const Area& safe_water, const ConnectOptions& options)
+    : impl_(std::make_unique<Impl>(safe_water, options)) {}
+Connector::~Connector() = default;
+Connector::Connector(Connector&&) noexcept = default;
+Connector& Connector::operator=(Connector&&) noexcept = default;
+
+Connection Connector::join(const std::vector<Vec2>& before, const std::vector<Vec2>& after) const {
+  const auto from = impl_->sides(before, false);
+  const auto to = impl_->sides(after, true);
+  if (auto found = impl_->by_curve(from, to)) return *found;
+  if (auto found = impl_->by_way(from, to)) return *found;
+  Connection none;
+  const Vec2& a = before.back();
+  const Vec2& b = after.front();
+  const auto way = impl_->ways.find(a, b);
+  none.points = way.value_or(std::vector<Vec2>{a, b});
+  none.reason =
+      way ? fmt::format("no forward way with turns of {:g} m from {} to {} stays in safe water",
+                        impl_->options.radius_m, at_text(a), at_text(b))
+          : fmt::format(
+                "no way through the water from {} to {}: the transit between these separate "
+                "waters crosses land and is counted as outside the water",
+                at_text(a), at_text(b));
+  return none;
+}
+
+std::vector<Vec2> Connector::curve(const Pose& from, const Pose& to) const {
+  const auto path = dubins_in_water(from, to, impl_->search);
+  return path ? path->points(curve_step_m(impl_->search.radius_m)) : std::vector<Vec2>{};
+}
+
+bool Connector::in_water(const std::vector<Vec2>& points) const { return impl_->in_water(points); }
+
+std::vector<Vec2> Connector::search(const Pose& from, const Pose& to) const {
+  const auto to_go = [&](const Vec2& p) { return (p - to.position).norm(); };
+  const auto poses = search_poses(from, to, to_go, impl_->search);
+  return poses ? impl_->written(*poses) : std::vector<Vec2>{};
+}
+
+}  // namespace swathplan

@@ -1,0 +1,326 @@
+#include "planners/smooth.h"
+
+#include <fmt/format.h>
+
+#include <IpIpoptApplication.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <mutex>
+#include <numbers>
+#include <unordered_map>
+
+#include "mesh/error.h"
+#include "planners/line_poses.h"
+#include "planners/path_nlp_internal.h"
+
+namespace swathplan {
+namespace {
+
+/// Steps may shrink and grow by this much; the curvature bound holds for the shortest.
+constexpr double kShortest = 0.93;
+constexpr double kLongest = 1.12;
+/// The bound on the second difference is a chord's, the radius an arc's: reserve for the
+/// difference.
+constexpr double kRadiusShare = 0.97;
+/// A point keeps this share of its room.
+constexpr double kRoomShare = 0.9;
+/// Points at either end of a window that its neighbours hold.
+constexpr std::size_t kHeld = 2;
+constexpr int kMostIterations = 150;
+constexpr double kTolerance = 1e-5;
+
+/// A pass beside point i, `normal` pointing there.
+struct Neighbour {
+  std::size_t i, j;
+  Vec2 normal;
+};
+
+/// Points at even steps along the skeleton.
+struct Samples {
+  std::vector<Vec2> points;
+  std::vector<double> along;
+  double step = 0.0;
+};
+
+Samples sampled(const LinePoses& line, double step) {
+  Samples s;
+  const auto parts = static_cast<std::size_t>(std::max(1.0, std::round(line.length_m() / step)));
+  s.step = line.length_m() / static_cast<double>(parts);
+  std::size_t j = 1;
+  for (std::size_t k = 0; k <= parts; ++k) {
+    const double at = line.length_m() * static_cast<double>(k) / static_cast<double>(parts);
+    while (j + 1 < line.points().size() && line.along()[j] < at) ++j;
+    const double length = line.along()[j] - line.along()[j - 1];
+    const double share = std::clamp((at - line.along()[j - 1]) / length, 0.0, 1.0);
+    s.points.push_back(line.points()[j - 1] + share * (line.points()[j] - line.points()[j - 1]));
+    s.along.push_back(at);
+  }
+  return s;
+}
+
+/// For each point the nearest pass to port and to starboard within W that runs about along it.
+std::vector<Neighbour> neighbours(const Samples& s, const SmoothOptions& o) {
+  constexpr double kAbeam = 0.35;  // of the unit vector: at most so far ahead or astern
+  const double cell = 0.5 * o.width_m;
+  const auto key = [&](const Vec2& p, int dx, int dy) {
+    const auto x = static_cast<std::int64_t>(std::floor(p.x() / cell)) + dx;
+    const auto y = static_cast<std::int64_t>(std::floor(p.y() / cell)) + dy;
+    return (x << 32) ^ (y & 0xFFFFFFFF);
+  };
+  std::unordered_map<std::int64_t, std::vector<std::size_t>> cells;
+  for (std::size_t i = 0; i < s.points.size(); ++i) cells[key(s.points[i], 0, 0)].push_back(i);
+  std::vector<Neighbour> result;
+  for (std::size_t i = 1; i + 1 < s.points.size(); ++i) {
+    const Vec2 u = (s.points[i + 1] - s.points[i - 1]).normalized();
+    std::array<double, 2> best{o.width_m, o.width_m};
+    std::array<std::size_t, 2> found{i, i};
+    for (int dx = -2; dx <= 2; ++dx) {
+      for (int dy = -2; dy <= 2; ++dy) {
+        const auto there = cells.find(key(s.points[i], dx, dy));
+        if (there == cells.end()) continue;
+        for (const std::size_t j : there->second) {
+          const Vec2 way = s.points[j] - s.points[i];
+          const double distance = way.norm();
+          if (distance < 2.0 * s.step || std::abs(u.dot(way)) > kAbeam * distance) continue;
+          const std::size_t side = u.x() * way.y() - u.y() * way.x() > 0.0 ? 0 : 1;
+          if (distance >= best[side]) continue;
+          best[side] = distance;
+          found[side] = j;
+        }
+      }
+    }
+    for (const std::size_t j : found) {
+      if (j != i) result.push_back({i, j, (s.points[j] - s.points[i]).normalized()});
+    }
+  }
+  return result;
+}
+
+/// How far each point may move: box half-sides.
+std::vector<double> rooms(const Samples& s, const SmoothOptions& o) {
+  std::vector<double> room(s.points.size(), o.deviation_m);
+  for (std::size_t i = 0; o.room && i + 1 < s.points.size(); ++i) {
+    const double free = std::max(0.0, kRoomShare * o.room(s.points[i], s.points[i + 1]));
+    room[i] = std::min(room[i], free);
+    room[i + 1] = std::min(room[i + 1], free);
+  }
+  for (double& r : room) r /= std::numbers::sqrt2;
+  return room;
+}
+
+/// The problem of the points [from, to) with the rest where it is.
+class Window {
+ public:
+  Window(const Samples& s, const std::vector<Vec2>& now, const std::vector<double>& room,
+         const SmoothOptions& o, std::size_t from, std::size_t to)
+      : s_(s), now_(now), o_(o), from_(from), to_(to) {
+    const std::size_t n = to - from;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = from + k;
+      const bool held = (k < kHeld && from > 0) || k == 0 || k + 1 == n ||
+                        (k + kHeld >= n && to < s.points.size());
+      const double r = held ? 0.0 : room[i];
+      const Vec2& middle = held ? now[i] : s.points[i];
+      problem_.start.push_back(now[i]);
+      problem_.low.push_back(middle - Vec2::Constant(r));
+      problem_.high.push_back(middle + Vec2::Constant(r));
+    }
+    add_shape();
+  }
+
+  void add_spacing(const Neighbour& pair) {
+    const double scale = 1.0 / s_.step;
+    LinearTerm term{{}, scale * o_.width_m, o_.spacing_weight};
+    for (const auto& [i, sign] : {std::pair{pair.j, 1.0}, std::pair{pair.i, -1.0}}) {
+      for (const int axis : {0, 1}) {
+        const double factor = scale * sign * pair.normal[axis];
+        if (i >= from_ && i < to_) {
+          term.parts.emplace_back(2 * static_cast<int>(i - from_) + axis, factor);
+        } else {
+          term.target -= factor * now_[i][axis];
+        }
+      }
+    }
+    problem_.terms.push_back(std::move(term));
+  }
+
+  [[nodiscard]] const PathProblem& problem() const { return problem_; }
+
+ private:
+  void add_shape() {
+    const auto n = static_cast<int>(to_ - from_);
+    const double scale = 1.0 / s_.step;
+    for (int k = 0; k < n; ++k) {
+      for (const int axis : {0, 1}) {
+        if (k + 3 < n) {
+          problem_.terms.push_back({{{2 * k + axis, -scale},
+                                     {2 * k + 2 + axis, 3.0 * scale},
+                                     {2 * k + 4 + axis, -3.0 * scale},
+                                     {2 * k + 6 + axis, scale}},
+                                    0.0,
+                                    o_.curvature_weight});
+        }
+        problem_.terms.push_back({{{2 * k + axis, scale}},
+                                  scale * s_.points[from_ + static_cast<std::size_t>(k)][axis],
+                                  o_.deviation_weight});
+      }
+    }
+    const double step2 = s_.step * s_.step;
+    const double bend = kRadiusShare * kShortest * kShortest * step2 / o_.radius_m;
+    for (int k = 0; k + 1 < n; ++k) {
+      problem_.norms.push_back(
+          {{{k, -1.0}, {k + 1, 1.0}}, kShortest * kShortest * step2, kLongest * kLongest * step2});
+      if (k > 0) {
+        problem_.norms.push_back({{{k - 1, 1.0}, {k, -2.0}, {k + 1, 1.0}}, 0.0, bend * bend});
+      }
+    }
+  }
+
+  const Samples& s_;
+  const std::vector<Vec2>& now_;
+  const SmoothOptions& o_;
+  std::size_t from_, to_;
+  PathProblem problem_;
+};
+
+std::string status_name(Ipopt::ApplicationReturnStatus status) {
+  switch (status) {
+    case Ipopt::Solve_Succeeded:
+      return "solved";
+    case Ipopt::Solved_To_Acceptable_Level:
+      return "solved to acceptable level";
+    case Ipopt::Infeasible_Problem_Detected:
+      return "infeasible";
+    case Ipopt::Maximum_Iterations_Exceeded:
+      return "iteration limit";
+    case Ipopt::Restoration_Failed:
+      return "restoration failed";
+    default:
+      return fmt::format("failed ({})", static_cast<int>(status));
+  }
+}
+
+struct Solved {
+  std::string status;
+  bool good = false;
+  std::vector<Vec2> points;
+};
+
+Solved solve(const PathProblem& problem) {
+  // Ipopt's linear solver keeps state of its own: one at a time in the whole process.
+  static std::mutex one_at_a_time;
+  const std::scoped_lock lock(one_at_a_time);
+  Ipopt::SmartPtr<PathNlp> nlp = new PathNlp(problem);
+  Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(false);
+  app->RethrowNonIpoptException(true);
+  app->Options()->SetIntegerValue("print_level", 0);
+  app->Options()->SetStringValue("sb", "yes");
+  app->Options()->SetIntegerValue("max_iter", kMostIterations);
+  app->Options()->SetNumericValue("tol", kTolerance);
+  app->Options()->SetNumericValue("bound_push", 1e-8);
+  app->Options()->SetNumericValue("bound_relax_factor", 0.0);
+  if (app->Initialize("") != Ipopt::Solve_Succeeded) return {"not started", false, {}};
+  const auto status = app->OptimizeTNLP(nlp);
+  const bool good = status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level;
+  return {status_name(status), good, nlp->points()};
+}
+
+void check(const SmoothOptions& o) {
+  const auto require = [](bool good, const char* what, double value) {
+    if (!good) throw UsageError(fmt::format("smoothing: {} {:g}; out of range", what, value));
+  };
+  require(o.radius_m > 0.0, "radius", o.radius_m);
+  require(o.step_m > 0.0, "step", o.step_m);
+  require(o.deviation_m >= 0.0, "deviation bound", o.deviation_m);
+  require(o.window > o.overlap + 2 * kHeld, "window", static_cast<double>(o.window));
+}
+
+}  // namespace
+
+SmoothResult smooth_path(const std::vector<Vec2>& skeleton, const SmoothOptions& o) {
+  check(o);
+  SmoothResult result;
+  const LinePoses line(skeleton);
+  if (line.is_point() || line.length_m() < 4.0 * o.step_m) {
+    result.points = line.points();
+    result.along = line.along();
+    result.smoothed.assign(result.points.size(), 0);
+    return result;
+  }
+  const Samples s = sampled(line, o.step_m);
+  const std::size_t n = s.points.size();
+  const std::vector<double> room = rooms(s, o);
+  const std::vector<Neighbour> pairs = neighbours(s, o);
+  result.points = s.points;
+  result.along = s.along;
+  result.smoothed.assign(n, 1);
+  std::size_t pair = 0;
+  for (std::size_t from = 0; from < n;) {
+    const std::size_t to = std::min(n, from + o.window);
+    Window window(s, result.points, room, o, from, to);
+    while (pair > 0 && pairs[pair - 1].i >= from) --pair;
+    while (pair < pairs.size() && pairs[pair].i < from) ++pair;
+    for (; pair < pairs.size() && pairs[pair].i < to; ++pair) window.add_spacing(pairs[pair]);
+    const Solved solved = solve(window.problem());
+    ++result.windows;
+    ++result.status[solved.status];
+    const std::size_t settled = to == n ? n : to - o.overlap;
+    if (solved.good) {
+      // The part to be solved again goes on from what was found.
+      for (std::size_t k = 0; k < solved.points.size(); ++k)
+        result.points[from + k] = solved.points[k];
+    } else {
+      ++result.failed_windows;
+      result.failed_m += s.step * static_cast<double>(settled - from);
+      std::fill(result.smoothed.begin() + static_cast<std::ptrdiff_t>(from),
+                result.smoothed.begin() + static_cast<std::ptrdiff_t>(settled), char{0});
+    }
+    if (to == n) break;
+    from = settled - kHeld;
+  }
+  return result;
+}
+
+ArcPath with_arcs(const std::vector<Vec2>& path, double step_deg) {
+  ArcPath result;
+  const auto add = [&](const Vec2& p, std::size_t i) {
+    if (!result.points.empty() && (result.points.back() - p).norm() < LinePoses::kCoincidentM)
+      return;
+    result.points.push_back(p);
+    result.source.push_back(i);
+  };
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (i == 0 || i + 1 == path.size()) {
+      add(path[i], i);
+      continue;
+    }
+    const Vec2 in = path[i] - path[i - 1];
+    const Vec2 out = path[i + 1] - path[i];
+    const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+    const double reach = 0.5 * std::min(in.norm(), out.norm());
+    const double tangent = std::tan(0.5 * std::abs(turn));
+    constexpr double kStraight = 1e-9;
+    constexpr double kBack = 1e6;
+    if (!(tangent > kStraight && tangent < kBack)) {
+      add(path[i], i);
+      continue;
+    }
+    const Vec2 u = in.normalized();
+    const Vec2 begin = path[i] - reach * u;
+    const double side = turn > 0.0 ? 1.0 : -1.0;
+    const Vec2 arm = -side * (reach / tangent) * Vec2(-u.y(), u.x());
+    const auto parts = static_cast<int>(
+        std::max(1.0, std::ceil(std::abs(turn) * 180.0 / std::numbers::pi / step_deg)));
+    for (int k = 0; k <= parts; ++k) {
+      const double c = std::cos(turn * k / parts);
+      const double sn = std::sin(turn * k / parts);
+      add(begin - arm + Vec2(c * arm.x() - sn * arm.y(), sn * arm.x() + c * arm.y()), i);
+    }
+  }
+  return result;
+}
+
+}  // namespace swathplan
