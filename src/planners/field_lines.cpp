@@ -1,0 +1,130 @@
+#include "planners/field_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planners/level_lines.h"
+
+namespace swathplan {
+namespace {
+
+double distance_to(const FieldWall& wall, const Vec2& p) {
+  const Vec2 along = wall.to - wall.from;
+  const double t = std::clamp((p - wall.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (wall.from + t * along - p).norm();
+}
+
+std::vector<FrontCell> front_of(const WaterRaster& raster, const std::vector<float>& width,
+                                const FieldWall& wall, double tolerance_m) {
+  std::vector<FrontCell> cells;
+  const double reach = tolerance_m + 1.5 * raster.cell_m();
+  for (std::size_t i = 0; i < raster.size(); ++i) {
+    if (!raster.in_area(i)) continue;
+    const bool rim = !raster.in_area(i - 1) || !raster.in_area(i + 1) ||
+                     !raster.in_area(i - raster.columns()) || !raster.in_area(i + raster.columns());
+    if (!rim || distance_to(wall, raster.centre(i)) > reach) continue;
+    // The outline runs half a cell before the centres.
+    cells.push_back({i, 0.5 * raster.cell_m() / static_cast<double>(width[i]), 0});
+  }
+  return cells;
+}
+
+SurveyCurve smoothed(SurveyCurve curve, int passes) {
+  auto& p = curve.points;
+  for (int pass = 0; pass < passes && p.size() > 2; ++pass) {
+    Vec2 before = p[0];
+    for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+      const Vec2 here = p[i];
+      p[i] = 0.25 * before + 0.5 * here + 0.25 * p[i + 1];
+      before = here;
+    }
+  }
+  return curve;
+}
+
+/// Catmull-Rom through the points, `parts` chords between two of them.
+SurveyCurve splined(const SurveyCurve& curve, int parts) {
+  const auto& p = curve.points;
+  if (p.size() < 3) return resampled(curve, kFieldStep);
+  SurveyCurve result;
+  for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+    const Vec2& a = p[i > 0 ? i - 1 : 0];
+    const Vec2& d = p[std::min(i + 2, p.size() - 1)];
+    for (int k = 0; k < parts; ++k) {
+      const double t = static_cast<double>(k) / parts;
+      result.points.push_back(0.5 * (2.0 * p[i] + t * (p[i + 1] - a) +
+                                     t * t * (2.0 * a - 5.0 * p[i] + 4.0 * p[i + 1] - d) +
+                                     t * t * t * (3.0 * p[i] - a - 3.0 * p[i + 1] + d)));
+    }
+  }
+  result.points.push_back(p.back());
+  return result;
+}
+
+/// Maximal runs of points that lie where lines may run.
+std::vector<SurveyCurve> clipped(const SurveyCurve& curve, const AreaQuery& lines_in) {
+  std::vector<SurveyCurve> pieces(1);
+  for (const Vec2& p : curve.points) {
+    const bool in =
+        lines_in.contains(p) &&
+        (pieces.back().points.empty() || lines_in.inside_length(pieces.back().points.back(), p) >=
+                                             (p - pieces.back().points.back()).norm() - 1e-6);
+    if (in) {
+      pieces.back().points.push_back(p);
+    } else if (!pieces.back().points.empty()) {
+      pieces.emplace_back();
+    }
+  }
+  return pieces;
+}
+
+}  // namespace
+
+std::vector<FieldWall> long_walls(const Area& area, double tolerance_m, std::size_t at_most) {
+  std::vector<FieldWall> walls;
+  for (const Polygon& polygon : simplify(area, tolerance_m)) {
+    for (std::size_t i = 0, j = polygon.outer.size() - 1; i < polygon.outer.size(); j = i++) {
+      walls.push_back({polygon.outer[j], polygon.outer[i]});
+    }
+  }
+  std::stable_sort(walls.begin(), walls.end(), [](const FieldWall& a, const FieldWall& b) {
+    return (a.to - a.from).norm() > (b.to - b.from).norm();
+  });
+  if (walls.size() > at_most) walls.resize(at_most);
+  return walls;
+}
+
+std::vector<SurveyCurve> field_lines(const WaterRaster& raster, const std::vector<float>& width,
+                                     const AreaQuery& lines_in, const FieldWall& wall,
+                                     double tolerance_m, const FieldLinesOptions& options) {
+  const Front front = march(raster, width, front_of(raster, width, wall, tolerance_m));
+  double farthest = 0.0;
+  for (const float u : front.u) {
+    if (std::isfinite(u)) farthest = std::max(farthest, static_cast<double>(u));
+  }
+  std::vector<SurveyCurve> lines;
+  constexpr int kParts = static_cast<int>(kCurveStep / kFieldStep + 0.5);
+  for (double level = 0.5 * options.spacing; level < farthest; level += options.spacing) {
+    for (const SurveyCurve& chain : level_lines(raster, front.u, level)) {
+      const SurveyCurve smooth = smoothed(resampled(chain, kCurveStep), options.smooth_passes);
+      for (SurveyCurve& piece : clipped(splined(smooth, kParts), lines_in)) {
+        if (piece.points.size() < 3) continue;
+        const auto at = raster.cell_at(piece.points[piece.points.size() / 2]);
+        const double swath = at ? static_cast<double>(width[*at]) : 0.0;
+        if (length_m(piece) >= kShortestField * swath) lines.push_back(std::move(piece));
+      }
+    }
+  }
+  return lines;
+}
+
+double least_line_m(const WaterRaster& raster, const std::vector<float>& width) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < raster.size(); ++i) {
+    if (raster.in_area(i)) sum += 1.0 / static_cast<double>(width[i]);
+  }
+  return sum * raster.cell_m() * raster.cell_m();
+}
+
+}  // namespace swathplan

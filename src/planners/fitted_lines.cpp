@@ -1,0 +1,197 @@
+#include "planners/fitted_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/error.h"
+#include "planners/field_lines.h"
+#include "planners/infill.h"
+#include "planners/line_workshop.h"
+#include "planners/straight_search_internal.h"
+#include "planners/survey_lines.h"
+
+namespace swathplan {
+namespace {
+
+/// Rays that candidates may cost in all: about 15 s of one core.
+constexpr double kRays = 4e8;
+constexpr int kMostCandidates = 220;
+constexpr int kFewestCandidates = 30;
+/// One coarse judgement should not cost more than this many rays.
+constexpr double kRaysOfOne = 8e6;
+constexpr double kRaysToSteer = 3e6;
+/// Prices of infill, as shares of W that a metre must bring: dear ones first.
+constexpr double kInfillGains[] = {0.2, 0.07};
+/// Choices differ in length by at least this share.
+constexpr double kBand = 0.008;
+/// Infill is tried on so many of the best plans.
+constexpr std::size_t kInfillOn = 4;
+
+constexpr const char* kNoLines =
+    "fitted-lines: no survey line fits into the water of the survey area; check --area, --no-go "
+    "and "
+    "the vehicle's draft and clearance";
+
+struct Finished {
+  BuiltRoute built;
+  Outcome outcome;
+};
+
+SearchBudget budget_for(const LineWorkshop& shop) {
+  const PlanOptions& o = shop.options();
+  const double path = 2.0 * area_m2(shop.ground().survey_area) / footprint_width_m(o);
+  const double rays = path / o.ping_spacing_m * o.sonar.beams;
+  SearchBudget budget;
+  budget.coarse = rays > kRaysOfOne ? 2 : 1;
+  // Steering a way between all lines costs seconds where there are many.
+  budget.steered = rays <= kRaysToSteer;
+  const double one = rays / (budget.coarse * budget.coarse);
+  budget.candidates = std::clamp(static_cast<int>(kRays / one), kFewestCandidates, kMostCandidates);
+  return budget;
+}
+
+double worth(const Outcome& o) { return o.hit_pct - kWorthPerRatio * o.length_ratio; }
+
+std::vector<std::size_t> front_of(const std::vector<Finished>& plans) {
+  std::vector<Outcome> outcomes;
+  for (const Finished& f : plans) outcomes.push_back(f.outcome);
+  return pareto_front(outcomes);
+}
+
+/// Adds to `plans` what infill makes of the best of them.
+void infill_best(std::vector<Finished>& plans, LineWorkshop& shop) {
+  std::vector<std::size_t> best = front_of(plans);
+  std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) {
+    return worth(plans[a].outcome) > worth(plans[b].outcome);
+  });
+  if (best.size() > kInfillOn) best.resize(kInfillOn);
+  for (const std::size_t i : best) {
+    const CoverageGrid grid = shop.score(plans[i].built.route).grid;
+    std::size_t before = 0;
+    for (const double gain : kInfillGains) {
+      InfilledRoute filled = with_infill(plans[i].built.route, grid, shop, {.least_gain = gain});
+      if (filled.passes == before) continue;
+      before = filled.passes;
+      const std::string what =
+          fmt::format("{}, {} infill passes", plans[i].outcome.what, filled.passes);
+      plans.push_back({std::move(filled.built), {}});
+      plans.back().outcome = shop.judge(plans.back().built.route, 1, what);
+    }
+  }
+}
+
+/// Walls that fronts start from, and what is tried on each.
+constexpr std::size_t kFieldWalls = 3;
+constexpr double kFieldSpacings[] = {0.9, 1.0, 1.12};
+constexpr double kFieldGap = 1.2;
+constexpr LineAnglesOptions kFieldAngles{.overlap_m = 0.5, .widest_share = 1.0};
+constexpr std::size_t kFieldFinalists = 3;
+/// Field lines bend, and the outside of a bend is sounded thinly: with cells under so many pings
+/// straight lines did better wherever it was tried.
+constexpr double kPingsACell = 2.0;
+
+/// Lines along fronts from the area's long walls.
+void add_field_plans(std::vector<Finished>& plans, LineWorkshop& shop) {
+  const PlanOptions& options = shop.options();
+  const double reserve = 1.0 - options.lines_margin;
+  const std::vector<float>& width = shop.width(kFieldGap * reserve);
+  // Walls are straight to a tenth of a footprint: quays have steps and bollards.
+  const double tolerance = 0.1 * footprint_width_m(options);
+  const int passes = options.resolution_m >= kPingsACell * options.ping_spacing_m ? 60 : 200;
+  struct Tried {
+    Outcome outcome;
+    std::vector<SurveyCurve> lines;
+  };
+  std::vector<Tried> tried;
+  int number = 0;
+  for (const FieldWall& wall : long_walls(shop.ground().survey_area, tolerance, kFieldWalls)) {
+    ++number;
+    for (const double spacing : kFieldSpacings) {
+      const auto lines = field_lines(shop.raster(), width, shop.lines_in(), wall, tolerance,
+                                     {.spacing = spacing * reserve, .smooth_passes = passes});
+      if (lines.empty()) continue;
+      const std::string what =
+          fmt::format("field lines from wall {}, {:.2f} swaths apart", number, spacing);
+      tried.push_back(
+          {shop.estimate(lines, width, kFieldAngles, budget_for(shop).coarse, what), lines});
+    }
+  }
+  std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) {
+    return worth(a.outcome) > worth(b.outcome);
+  });
+  for (std::size_t i = 0; i < std::min(kFieldFinalists, tried.size()); ++i) {
+    plans.push_back({shop.build(tried[i].lines, width, kFieldAngles), {}});
+    plans.back().outcome = shop.judge(plans.back().built.route, 1, tried[i].outcome.what);
+  }
+}
+
+/// Of the plans that no other beats, the best of each band of length: a list that people can read.
+std::vector<std::size_t> choices_of(const std::vector<Finished>& plans) {
+  std::vector<std::size_t> kept;
+  const auto front = front_of(plans);
+  for (auto it = front.rbegin(); it != front.rend(); ++it) {
+    const bool apart = kept.empty() || plans[*it].outcome.length_ratio <
+                                           (1.0 - kBand) * plans[kept.back()].outcome.length_ratio;
+    if (apart) kept.push_back(*it);
+  }
+  std::reverse(kept.begin(), kept.end());
+  return kept;
+}
+
+std::string said(const Outcome& o) {
+  return fmt::format(
+      "choice: {:.2f} % of cells hit over {:.0f} m ({:.2f} ideal lengths, {} turns): {}", o.hit_pct,
+      o.length_m, o.length_ratio, o.turns, o.what);
+}
+
+/// Without a simulator: lines along the long side, as many as W asks for.
+Plan unseen_plan(LineWorkshop& shop) {
+  StraightCandidate c;
+  c.azimuth_deg =
+      shop.options()
+          .heading
+          .value_or(best_azimuth(shop.ground().survey_area, footprint_width_m(shop.options())))
+          .deg();
+  c.lines = 0;
+  BuiltRoute built = build(c, shop);
+  Plan plan;
+  plan.route = std::move(built.route);
+  plan.notes = std::move(built.notes);
+  return plan;
+}
+
+}  // namespace
+
+Plan plan_fitted_lines(const PlanningGround& ground, const PlanOptions& options) {
+  check(options);
+  LineWorkshop shop(ground, options);
+  if (ground.scene == nullptr) return unseen_plan(shop);
+  std::vector<Finished> plans;
+  if (options.lines != LineSource::field) {
+    for (JudgedCandidate& j : search_straight_lines(shop, budget_for(shop))) {
+      plans.push_back({std::move(j.built), std::move(j.outcome)});
+    }
+  }
+  const bool bends_pay = options.resolution_m >= kPingsACell * options.ping_spacing_m;
+  if (options.lines == LineSource::field || (options.lines == LineSource::automatic && bends_pay)) {
+    add_field_plans(plans, shop);
+  }
+  if (plans.empty()) throw InvalidInput(kNoLines);
+  infill_best(plans, shop);
+  Plan plan;
+  const auto kept = choices_of(plans);
+  for (const std::size_t i : kept) plan.choices.push_back(plans[i].outcome);
+  const Pick picked = pick(plan.choices, options.goal);
+  plan.chosen = picked.index;
+  Finished& best = plans[kept[picked.index]];
+  plan.route = std::move(best.built.route);
+  plan.notes = std::move(best.built.notes);
+  plan.notes.push_back(fmt::format("of {} choices, {} was picked: {}", plan.choices.size(),
+                                   best.outcome.what, picked.why));
+  for (const Outcome& o : plan.choices) plan.notes.push_back(said(o));
+  return plan;
+}
+
+}  // namespace swathplan

@@ -1,0 +1,82 @@
+#include "planners/pareto.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <numeric>
+
+namespace swathplan {
+namespace {
+
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+/// The index with the largest value among those that `may`; kNone where none may.
+std::size_t best_of(const std::vector<Outcome>& outcomes,
+                    const std::function<double(const Outcome&)>& value,
+                    const std::function<bool(const Outcome&)>& may) {
+  std::size_t best = kNone;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (!may(outcomes[i])) continue;
+    if (best == kNone || value(outcomes[i]) > value(outcomes[best])) best = i;
+  }
+  return best;
+}
+
+bool any(const Outcome& outcome) { return outcome.length_ratio >= 0.0; }
+double coverage(const Outcome& outcome) { return outcome.hit_pct; }
+double shortness(const Outcome& outcome) { return -outcome.length_ratio; }
+
+Pick within(const std::vector<Outcome>& outcomes, const std::string& limit,
+            const std::function<bool(const Outcome&)>& may) {
+  const std::size_t found = best_of(outcomes, coverage, may);
+  if (found != kNone) return {found, fmt::format("the most coverage within {}", limit)};
+  return {best_of(outcomes, shortness, any),
+          fmt::format("the shortest plan: none stays within {}", limit)};
+}
+
+}  // namespace
+
+std::vector<std::size_t> pareto_front(const std::vector<Outcome>& outcomes) {
+  std::vector<std::size_t> order(outcomes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (outcomes[a].length_ratio != outcomes[b].length_ratio) {
+      return outcomes[a].length_ratio < outcomes[b].length_ratio;
+    }
+    return outcomes[a].hit_pct > outcomes[b].hit_pct;
+  });
+  std::vector<std::size_t> front;
+  for (const std::size_t i : order) {
+    if (front.empty() || outcomes[i].hit_pct > outcomes[front.back()].hit_pct) front.push_back(i);
+  }
+  return front;
+}
+
+Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal) {
+  if (goal.coverage_pct) {
+    const std::size_t found = best_of(
+        outcomes, shortness, [&](const Outcome& o) { return o.hit_pct >= *goal.coverage_pct; });
+    if (found != kNone) {
+      return {found,
+              fmt::format("the shortest plan with at least {:g} % coverage", *goal.coverage_pct)};
+    }
+    return {best_of(outcomes, coverage, any),
+            fmt::format("the most coverage: no plan reaches {:g} %", *goal.coverage_pct)};
+  }
+  if (goal.length_m) {
+    return within(outcomes, fmt::format("{:g} m of path", *goal.length_m),
+                  [&](const Outcome& o) { return o.length_m <= *goal.length_m; });
+  }
+  if (goal.time_s) {
+    return within(outcomes, fmt::format("{:g} s", *goal.time_s),
+                  [&](const Outcome& o) { return o.duration_s <= *goal.time_s; });
+  }
+  const auto worth = [](const Outcome& o) { return o.hit_pct - kWorthPerRatio * o.length_ratio; };
+  return {
+      best_of(outcomes, worth, any),
+      fmt::format("the best of coverage less {:g} points for each ideal length", kWorthPerRatio)};
+}
+
+}  // namespace swathplan

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace swathplan {
+
+/// What a candidate plan costs and brings.
+struct Outcome {
+  double length_ratio = 0.0;
+  double hit_pct = 0.0;
+  std::size_t turns = 0;
+  double length_m = 0.0;
+  double duration_s = 0.0;
+  std::string what;  ///< how it was made, for people
+};
+
+/// Indices of the outcomes that no other beats: none is as short or shorter with as much or more
+/// coverage. Shortest first; of equals the first given stays.
+[[nodiscard]] std::vector<std::size_t> pareto_front(const std::vector<Outcome>& outcomes);
+
+/// What a plan is asked for; at most one of them is set.
+struct PlanGoal {
+  std::optional<double> coverage_pct;  ///< the shortest plan with at least this hit coverage
+  std::optional<double> length_m;      ///< the most coverage within this length
+  std::optional<double> time_s;        ///< the most coverage within this time
+};
+
+struct Pick {
+  std::size_t index = 0;
+  std::string why;  ///< one sentence
+};
+/// Chooses from outcomes (at least one). Where the goal is out of reach: the most coverage, or the
+/// shortest plan. With no goal: the most of coverage less kWorthPerRatio x length ratio.
+[[nodiscard]] Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal);
+
+/// Points of coverage that one more ideal length must bring where nothing else is asked for.
+inline constexpr double kWorthPerRatio = 4.0;
+
+}  // namespace swathplan

@@ -1,0 +1,221 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planners/fitted_straight.h"
+#include "planners/straight_search_internal.h"
+#include "planners/survey_lines.h"
+
+namespace swathplan {
+namespace {
+
+constexpr double kDirectionStepDeg = 15.0;
+/// Numbers of lines that are tried first, as shares of what W asks for.
+constexpr double kLineShares[] = {1.0, 0.85, 0.7, 1.15};
+/// Directions that ask for this many times the fewest lines' metres are left out.
+constexpr double kLongest = 1.3;
+/// Plans under this coverage are of no use to anybody, %.
+constexpr double kUseless = 70.0;
+
+std::vector<double> directions(const LineWorkshop& shop) {
+  if (shop.options().heading) return {shop.options().heading->deg()};
+  std::vector<double> list;
+  for (double deg = 0.0; deg < 180.0; deg += kDirectionStepDeg) list.push_back(deg);
+  const double best =
+      best_azimuth(shop.ground().survey_area, footprint_width_m(shop.options())).deg();
+  if (std::fmod(best, kDirectionStepDeg) > 1e-6) list.push_back(best);
+  return list;
+}
+
+/// Of two finalists with the same rows, lengths differ by at least this share.
+constexpr double kApart = 0.01;
+
+double kept(const LineWorkshop& shop) { return 1.0 - shop.options().lines_margin; }
+
+const std::vector<float>& width_of(const StraightCandidate& c, LineWorkshop& shop) {
+  return shop.width(c.gap * kept(shop));
+}
+
+LineAnglesOptions angles_of(const StraightCandidate& c, const LineWorkshop& shop) {
+  return {.overlap_m = c.overlap_m, .widest_share = c.widest_share / kept(shop)};
+}
+
+class Search {
+ public:
+  Search(LineWorkshop& shop, const SearchBudget& budget) : shop_(shop), budget_(budget) {}
+
+  std::vector<JudgedCandidate> run() {
+    first_candidates();
+    while (left() > 0) {
+      const std::size_t next = most_promising();
+      if (next == pool_.size()) break;
+      varied_[next] = 1;
+      for (const StraightCandidate& c : variations(pool_[next].candidate)) {
+        if (left() <= 0) break;
+        judge(c);
+      }
+    }
+    return exact_front();
+  }
+
+ private:
+  [[nodiscard]] int left() const { return budget_.candidates - static_cast<int>(pool_.size()); }
+
+  void judge(const StraightCandidate& c) {
+    if (c.lines < 1) return;
+    for (const JudgedCandidate& known : pool_) {
+      if (known.candidate == c) return;
+    }
+    const Outcome outcome = budget_.steered ? steered(c) : estimated(c);
+    if (!(outcome.length_m > 0.0)) return;
+    pool_.push_back({c, outcome, {}});
+    varied_.push_back(0);
+  }
+
+  [[nodiscard]] Outcome steered(const StraightCandidate& c) const {
+    const BuiltRoute built = build(c, shop_);
+    if (built.route.waypoints.size() < 2) return {};
+    return shop_.judge(built.route, budget_.coarse, describe(c));
+  }
+  [[nodiscard]] Outcome estimated(const StraightCandidate& c) const {
+    return shop_.estimate(lines_of(c, shop_), width_of(c, shop_), angles_of(c, shop_),
+                          budget_.coarse, describe(c));
+  }
+
+  /// Directions by the metres of line that they ask for, the least first; numbers about what W
+  /// asks.
+  void first_candidates() {
+    const StraightCandidate plain;
+    struct Direction {
+      double deg, metres;
+      double swaths;
+    };
+    std::vector<Direction> list;
+    for (const double deg : directions(shop_)) {
+      const RowWidths rows =
+          row_widths(shop_.raster(), shop_.width(plain.gap), Angle::degrees(deg), plain.percentile);
+      double metres = 0.0;
+      for (const SurveyCurve& line :
+           fitted_straight_lines(shop_.raster(), shop_.width(plain.gap), shop_.survey_area(),
+                                 shop_.lines_in(), {.azimuth = Angle::degrees(deg)})) {
+        metres += length_m(line) + 0.5 * footprint_width_m(shop_.options());
+      }
+      list.push_back({deg, metres / std::ceil(rows.total()) * rows.total(), rows.total()});
+    }
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Direction& a, const Direction& b) { return a.metres < b.metres; });
+    for (const double share : kLineShares) {
+      for (const Direction& d : list) {
+        if (left() <= budget_.candidates / 2 || d.metres > kLongest * list[0].metres) break;
+        StraightCandidate c = plain;
+        c.azimuth_deg = d.deg;
+        c.lines = std::max(1, static_cast<int>(std::lround(share * d.swaths)));
+        judge(c);
+      }
+    }
+  }
+
+  /// The most worth of those on the front that were not varied yet; pool_.size(): none.
+  [[nodiscard]] std::size_t most_promising() const {
+    std::size_t best = pool_.size();
+    for (const std::size_t i : front()) {
+      if (varied_[i] == 0 && (best == pool_.size() || worth(i) > worth(best))) best = i;
+    }
+    return best;
+  }
+
+  [[nodiscard]] double worth(std::size_t i) const {
+    const Outcome& o = pool_[i].outcome;
+    return o.hit_pct - kWorthPerRatio * o.length_ratio;
+  }
+
+  [[nodiscard]] std::vector<std::size_t> front() const {
+    std::vector<Outcome> outcomes;
+    for (const JudgedCandidate& j : pool_) outcomes.push_back(j.outcome);
+    auto list = pareto_front(outcomes);
+    if (list.size() > 1) {
+      std::erase_if(list, [&](std::size_t i) { return outcomes[i].hit_pct < kUseless; });
+    }
+    return list;
+  }
+
+  [[nodiscard]] std::vector<StraightCandidate> variations(const StraightCandidate& c) const {
+    std::vector<StraightCandidate> list;
+    const auto vary = [&](auto member, auto value) {
+      StraightCandidate v = c;
+      v.*member = value;
+      if (!(v == c)) list.push_back(v);
+    };
+    const int step = std::max(1, c.lines / 25);
+    const double radius = shop_.options().vehicle.turn_radius_m;
+    vary(&StraightCandidate::lines, c.lines + step);
+    vary(&StraightCandidate::lines, c.lines - step);
+    for (const double inset : {0.05, radius, 2.0 * radius})
+      vary(&StraightCandidate::inset_m, inset);
+    for (const double p : {0.0, 0.15, 0.35, 0.6}) vary(&StraightCandidate::percentile, p);
+    for (const double o : {0.1, 0.4, 0.8, 1.5, 3.0}) vary(&StraightCandidate::overlap_m, o);
+    for (const double g : {1.0, 1.2, 1.5}) vary(&StraightCandidate::gap, g);
+    for (const double s : {0.65, 1.0}) vary(&StraightCandidate::widest_share, s);
+    if (!shop_.options().heading) {
+      vary(&StraightCandidate::azimuth_deg, std::fmod(c.azimuth_deg + 90.0, 180.0));
+      vary(&StraightCandidate::azimuth_deg, c.azimuth_deg + 4.0);
+      vary(&StraightCandidate::azimuth_deg, c.azimuth_deg - 4.0);
+    }
+    for (const double p : {0.42, 0.5, 0.58}) vary(&StraightCandidate::phase, p);
+    return list;
+  }
+
+  /// The finalists: spread over the front, the most worth always among them.
+  [[nodiscard]] std::vector<JudgedCandidate> exact_front() {
+    std::vector<std::size_t> finalists = front();
+    std::stable_sort(finalists.begin(), finalists.end(),
+                     [&](std::size_t a, std::size_t b) { return worth(a) > worth(b); });
+    std::vector<JudgedCandidate> list;
+    for (const std::size_t i : finalists) {
+      if (list.size() == budget_.finalists) break;
+      const bool apart = std::all_of(list.begin(), list.end(), [&](const JudgedCandidate& j) {
+        return std::abs(j.candidate.lines - pool_[i].candidate.lines) > 0 ||
+               j.candidate.azimuth_deg != pool_[i].candidate.azimuth_deg ||
+               std::abs(j.outcome.length_ratio / pool_[i].outcome.length_ratio - 1.0) > kApart;
+      });
+      if (apart) list.push_back(pool_[i]);
+    }
+    for (JudgedCandidate& j : list) {
+      j.built = build(j.candidate, shop_);
+      j.outcome = shop_.judge(j.built.route, 1, j.outcome.what);
+    }
+    return list;
+  }
+
+  LineWorkshop& shop_;
+  SearchBudget budget_;
+  std::vector<JudgedCandidate> pool_;
+  std::vector<char> varied_;
+};
+
+}  // namespace
+
+std::vector<SurveyCurve> lines_of(const StraightCandidate& c, LineWorkshop& shop) {
+  return fitted_straight_lines(shop.raster(), width_of(c, shop), shop.survey_area(),
+                               shop.lines_in(),
+                               {.azimuth = Angle::degrees(c.azimuth_deg),
+                                .percentile = c.percentile,
+                                .lines = c.lines,
+                                .phase = c.phase,
+                                .inset_m = c.inset_m});
+}
+
+BuiltRoute build(const StraightCandidate& c, LineWorkshop& shop) {
+  return shop.build(lines_of(c, shop), width_of(c, shop), angles_of(c, shop));
+}
+
+std::string describe(const StraightCandidate& c) {
+  return fmt::format("{} straight rows at {:.0f} degrees", c.lines, c.azimuth_deg);
+}
+
+std::vector<JudgedCandidate> search_straight_lines(LineWorkshop& shop, const SearchBudget& budget) {
+  return Search(shop, budget).run();
+}
+
+}  // namespace swathplan
