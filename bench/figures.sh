@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Measures the figures of docs/results.md and prints them as Markdown rows: one row a seafloor and
+# cell size, "hit % [length ratio]" for each offline planner. Run after ./dev build.
+#   bench/figures.sh [harbour grid ...]   further seafloors, sides capped at 70 degrees
+set -euo pipefail
+cd "$(dirname "$0")/.."
+program=build/release/bin/swathplan
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+
+row() {  # name, file, options...
+  local name=$1 file=$2
+  shift 2
+  "$program" compare "$file" --planners back-and-forth,multi-depth,nuc,mdnuc -o "$out" "$@" 2>/dev/null |
+    awk -v name="$name" '/^(B&F|MDB&F|NUC|MDNUC) / { row = row sprintf(" | %.1f [%.2f]", $2, $6); outside += $10 }
+      END { printf "| %s%s | %.1f |\n", name, row, outside }'
+}
+
+echo "| seafloor, cell | B&F | MDB&F | NUC | MDNUC | outside water, m |"
+echo "|---|---|---|---|---|---|"
+for cell in 0.10 0.25; do
+  row "saddle $cell" datasets/saddle.asc --resolution $cell --depth-bands 4
+done
+for cell in 0.10 0.25; do
+  row "shaft $cell" datasets/shaft.obj --resolution $cell --depth-bands 2
+done
+for cell in 0.10 0.25; do
+  row "harbour $cell" datasets/harbour.asc --resolution $cell --depth-bands 2
+done
+row "saddle 0.10, pings each 0.03 m, faces 0.7 W" datasets/saddle.asc --depth-bands 4 --ping-spacing 0.03 --face-size 0.7
+row "shaft 0.10, pings each 0.03 m, faces 0.65 W" datasets/shaft.obj --depth-bands 2 --ping-spacing 0.03 --face-size 0.65
+for file in "$@"; do
+  for cell in 0.10 0.25; do
+    row "$(basename "$file") $cell" "$file" --resolution $cell --max-opening 140
+  done
+done
