@@ -75,6 +75,15 @@ function ring(map, gap) {
   }
 }
 
+// One or two notes stand open; more would push the maps out of sight.
+function notesOf(plan) {
+  const paragraphs = plan.notes.map((note) => element('p', {class: 'says'}, note));
+  if (paragraphs.length === 0) return '';
+  const fold = element('details', paragraphs.length > 1 ? {} : {open: ''},
+    element('summary', {}, paragraphs.length === 1 ? 'A note' : paragraphs.length + ' notes'), ...paragraphs);
+  return fold;
+}
+
 function figure(value, unit, label) {
   return element('div', {}, element('b', {}, value, element('small', {}, unit)), element('span', {}, label));
 }
@@ -92,7 +101,7 @@ plans.forEach((plan, i) => {
         figure(gaps ? plan.largest_text : '0', ' m²', 'largest gap')),
       element('p', {class: 'says'}, plan.gaps_text),
       ...plan.warnings.map((w) => element('span', {class: 'warn'}, '⚠ ' + w)),
-      ...plan.notes.map((note) => element('p', {class: 'says'}, note))),
+      notesOf(plan)),
     frame, plan.readout);
   $('cards').append(plan.card);
   new MapView(frame, 'Coverage of plan ' + plan.name, 520, (map) => paintCoverage(plan, map));
