@@ -35,8 +35,8 @@ Route winding_route(const Box2& box, double spacing, Angle heading, const FanAng
     for (double y = -half; y <= half; y += 1.0) {
       Waypoint w;
       const double along = back ? -y : y;
-      w.position = centre + along * Vec2(sin(heading), cos(heading)) +
-                   x * Vec2(cos(heading), -sin(heading));
+      w.position =
+          centre + along * Vec2(sin(heading), cos(heading)) + x * Vec2(cos(heading), -sin(heading));
       w.fan = fan;
       route.waypoints.push_back(w);
     }
@@ -191,8 +191,8 @@ void run_all(int threads) {
   const Angle half = half_angle(sonar, footprint_width_m(sonar, 0.10), 35.0);
   const Angle heading = Angle::degrees(30);
   const Seafloor small = saddle();
-  compare("saddle at 0.10 m", small, winding_route(extent(small), 7.5, heading, {half, half}),
-          0.10, threads);
+  compare("saddle at 0.10 m", small, winding_route(extent(small), 7.5, heading, {half, half}), 0.10,
+          threads);
   const Seafloor large = large_saddle(500);
   const Angle wide = half_angle(sonar, footprint_width_m(sonar, 0.10), 20.0);
   compare("500k triangles at 0.10 m", large,

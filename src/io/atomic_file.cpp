@@ -51,8 +51,9 @@ void write_text_atomically(const fs::path& path, std::string_view text) {
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
     out.flush();
     if (!out) {
-      throw InvalidInput(fmt::format(
-          "cannot write '{}': check that the folder is writable and the disk has room", path.string()));
+      throw InvalidInput(
+          fmt::format("cannot write '{}': check that the folder is writable and the disk has room",
+                      path.string()));
     }
   });
 }

@@ -36,7 +36,7 @@ struct SharedEdge {
 
 struct PlanarMeshOptions {
   double hypotenuse_m = 25.6;  ///< target length of a face's longest edge, > 0
-  Angle turn = {};                  ///< of the lattice against the area's main direction
+  Angle turn = {};             ///< of the lattice against the area's main direction
 };
 
 /// Triangulates the whole area, boundary included, into faces near right isosceles whose

@@ -42,10 +42,9 @@ std::string cause_text(HolidayCause cause) {
 std::string gaps_text(const Score& score) {
   const Holidays& gaps = score.holidays;
   if (gaps.count == 0) return "No gaps.";
-  std::string text = fmt::format("{} gap{}, {} m² in all; the largest {} m²",
-                                 with_commas(static_cast<double>(gaps.count)),
-                                 gaps.count == 1 ? "" : "s", area_text(gaps.total_m2),
-                                 area_text(gaps.largest_m2));
+  std::string text = fmt::format(
+      "{} gap{}, {} m² in all; the largest {} m²", with_commas(static_cast<double>(gaps.count)),
+      gaps.count == 1 ? "" : "s", area_text(gaps.total_m2), area_text(gaps.largest_m2));
   if (!gaps.list.empty()) text += ", " + cause_text(gaps.list.front().cause);
   return text + ".";
 }
