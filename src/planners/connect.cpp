@@ -71,6 +71,7 @@ struct Connector::Impl {
   Impl(const Area& area, const ConnectOptions& o) : water(area), ways(area), options(o) {
     search.radius_m = o.radius_m * (1.0 + kRadiusReserve);
     search.most_poses = kMostPoses;
+    search.place_in_water = [this](const Vec2& p) { return water.contains(p); };
     search.in_water = [this](const std::vector<Vec2>& points) { return in_water(points); };
   }
 
@@ -129,9 +130,12 @@ std::optional<Connection> Connector::Impl::by_curve(const std::vector<Cut>& from
   std::stable_sort(all.begin(), all.end(),
                    [](const Candidate& x, const Candidate& y) { return x.cost < y.cost; });
   for (const Candidate& c : all) {
-    std::vector<Vec2> points = c.path.points(curve_step_m(search.radius_m));
-    if (!in_water(points)) continue;
-    return Connection{JoinKind::curve, std::move(points), from[c.a].off, to[c.b].off, {}};
+    if (!stays_in_water(c.path, search)) continue;
+    return Connection{JoinKind::curve,
+                      c.path.points(curve_step_m(search.radius_m)),
+                      from[c.a].off,
+                      to[c.b].off,
+                      {}};
   }
   return std::nullopt;
 }
@@ -144,7 +148,7 @@ std::vector<Cut> Connector::Impl::ones_with_room(const std::vector<Cut>& all, bo
     const Pose pose = leaving ? cut.pose : turned_back(cut.pose);
     for (const int turn : {0, 1, -1}) {
       const DubinsPath out(pose, search.radius_m, {turn, 0, 0}, {quarter, 0, 0});
-      if (!in_water(out.points(curve_step_m(search.radius_m)))) continue;
+      if (!stays_in_water(out, search)) continue;
       result.push_back(cut);
       break;
     }

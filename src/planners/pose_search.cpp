@@ -78,7 +78,7 @@ class Search {
     const double cost = nodes_[static_cast<std::size_t>(i)].cost + path.length_m();
     const auto [found, fresh] = best_.try_emplace(key(pose), cost);
     if (!fresh && found->second <= cost) return;
-    if (!options_.in_water(path.points(curve_step_m(options_.radius_m)))) {
+    if (!stays_in_water(path, options_)) {
       if (fresh) best_.erase(found);
       return;
     }
@@ -135,10 +135,22 @@ double curve_step_m(double radius_m) {
   return std::min(kCurveStepM, Angle::degrees(kCurveStepDeg).rad() * radius_m);
 }
 
+bool stays_in_water(const DubinsPath& path, const PoseSearchOptions& options) {
+  // Nearly all paths that leave the water do so at one of a few places: writing thousands of points
+  // for each would cost a hundred times as much.
+  constexpr int kPlaces = 24;
+  const double length = path.length_m();
+  const int places = length > kPlaces * curve_step_m(options.radius_m) ? kPlaces : 2;
+  for (int k = 0; k <= places; ++k) {
+    if (!options.place_in_water(path.at(length * k / places).position)) return false;
+  }
+  return options.in_water(path.points(curve_step_m(options.radius_m)));
+}
+
 std::optional<DubinsPath> dubins_in_water(const Pose& from, const Pose& to,
                                           const PoseSearchOptions& options) {
   for (const DubinsPath& path : dubins_paths(from, to, options.radius_m)) {
-    if (options.in_water(path.points(curve_step_m(options.radius_m)))) return path;
+    if (stays_in_water(path, options)) return path;
   }
   return std::nullopt;
 }

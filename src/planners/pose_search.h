@@ -14,6 +14,8 @@ namespace swathplan {
 struct PoseSearchOptions {
   double radius_m = 1.5;  ///< smallest turn radius, > 0
   int most_poses = 150000;
+  /// Whether a place lies in the water; asked first, at a few places of a path.
+  std::function<bool(const Vec2&)> place_in_water;
   /// Whether a path of points stays in the water.
   std::function<bool(const std::vector<Vec2>&)> in_water;
 };
@@ -29,6 +31,9 @@ struct PoseSearchOptions {
 /// The shortest Dubins path between two poses that stays in the water.
 [[nodiscard]] std::optional<DubinsPath> dubins_in_water(const Pose& from, const Pose& to,
                                                         const PoseSearchOptions& options);
+
+/// Whether a Dubins path stays in the water.
+[[nodiscard]] bool stays_in_water(const DubinsPath& path, const PoseSearchOptions& options);
 
 /// Spacing of the points that a curve of this radius is written with, metres.
 [[nodiscard]] double curve_step_m(double radius_m);
