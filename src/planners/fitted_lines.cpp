@@ -86,7 +86,8 @@ void infill_best(std::vector<Finished>& plans, LineWorkshop& shop) {
 constexpr std::size_t kFieldWalls = 3;
 constexpr double kFieldSpacings[] = {0.9, 1.0, 1.12};
 constexpr double kFieldGap = 1.2;
-constexpr LineAnglesOptions kFieldAngles{.overlap_m = 0.5, .widest_share = 1.0};
+constexpr LineAnglesOptions kFieldAngles{
+    .overlap_m = 0.5, .widest_share = 1.0, .by_distance = false};
 constexpr std::size_t kFieldFinalists = 3;
 /// Field lines bend, and the outside of a bend is sounded thinly: with cells under so many pings
 /// straight lines did better wherever it was tried.

@@ -163,8 +163,8 @@ InfilledRoute with_infill(const Route& route, const CoverageGrid& grid, LineWork
     const Itinerary::Place place = itinerary.cheapest(*pass);
     const SurveyCurve line = place.backwards ? straight_curve(pass->to, pass->from)
                                              : straight_curve(pass->from, pass->to);
-    auto points = opened_lines({line}, shop.raster(), width, shop.survey_area(), shop.ground(),
-                               shop.options(), {.overlap_m = 0.0, .widest_share = 0.5})[0];
+    auto points = opened_lines({line}, shop.raster(), width, shop.survey_area(), shop.options(),
+                               {.overlap_m = 0.0, .widest_share = 0.5, .by_distance = false})[0];
     for (Waypoint& point : points) {
       point.kind = LegKind::infill;
       point.line.reset();

@@ -11,15 +11,18 @@
 namespace swathplan {
 namespace {
 
-/// Reaches are looked for in steps of this share of a cell.
+/// Sides are looked along in steps of this share of a cell.
 constexpr double kStepOfCell = 0.5;
 /// Cells are claimed from points this close along a line.
 constexpr double kClaimStepOfCell = 0.7;
 /// A point counts as hidden where it stands under this share of the steepest tangent before it:
 /// less than 1, since depths on a raster are rough.
 constexpr double kHidden = 0.97;
-/// Reaches of so many points before and after are joined: boundaries on a raster are jagged.
+/// So many steps before and after are joined: boundaries on a raster are jagged.
 constexpr std::ptrdiff_t kJoin = 2;
+constexpr double kJump = 1.25;
+/// Less water than this below the sonar counts as this, metres.
+constexpr double kLeastBelow = 0.05;
 /// A side may end so far past the edge, metres: cells at the edge keep their beam.
 constexpr double kPastEdge = 0.02;
 
@@ -65,24 +68,19 @@ std::vector<Step> steps_of(const std::vector<Vec2>& points) {
 class SideReach {
  public:
   SideReach(const WaterRaster& raster, const std::vector<float>& width, const AreaQuery& area,
-            const PlanningGround& ground, const PlanOptions& options, const LineAnglesOptions& how)
-      : raster_(raster),
-        width_(width),
-        area_(area),
-        ground_(ground),
-        options_(options),
-        how_(how) {}
+            const PlanOptions& options, const LineAnglesOptions& how)
+      : raster_(raster), width_(width), area_(area), options_(options), how_(how) {}
 
   /// Calls f(cell, y, swaths) for every point of the side that the line sees, y metres off.
   template <class F>
   void see(const Vec2& p, const Vec2& side, double edge, const F& f) const {
     const double step = kStepOfCell * raster_.cell_m();
-    const double w = width_at(p);
+    const double w = how_.by_distance ? 1.0 : width_at(p);
     double tangent = 0.0;
     for (double y = 0.0; y < edge; y += step) {
       const auto i = raster_.cell_at(p + y * side);
       if (!i || !raster_.in_area(*i)) continue;
-      const double here = y / std::max(raster_.depth(*i) - options_.vehicle.draft_m, 0.05);
+      const double here = y / std::max(raster_.depth(*i) - options_.vehicle.draft_m, kLeastBelow);
       // What the ground nearer by hides is some other line's.
       if (here < kHidden * tangent) continue;
       tangent = std::max(tangent, here);
@@ -90,16 +88,26 @@ class SideReach {
     }
   }
 
-  /// How far the farthest point lies that no other line sees from nearer, metres.
-  [[nodiscard]] double reach(const Step& s, bool port, std::uint32_t line,
-                             const Owners& owners) const {
+  /// Tangent of the half-angle that sees all points up to the farthest one that no other line sees
+  /// from nearer, and the overlap at that point's depth: what stands up behind it is another's.
+  [[nodiscard]] double tangent(const Step& s, bool port, std::uint32_t line,
+                               const Owners& owners) const {
     const Vec2 side = port ? Vec2(-s.starboard) : s.starboard;
     const double edge = edge_distance(s.middle, side);
+    double steepest = 0.0;
     double own = 0.0;
+    double own_below = below(s.middle);
+    double result = 0.0;
     see(s.middle, side, edge, [&](std::size_t cell, double y, double) {
-      if (owners.owns(cell, line)) own = y;
+      const double down = std::max(raster_.depth(cell) - options_.vehicle.draft_m, kLeastBelow);
+      steepest = std::max(steepest, y / down);
+      if (!owners.owns(cell, line)) return;
+      own = y;
+      own_below = down;
+      result = steepest;
     });
-    return std::min(own + how_.overlap_m + kStepOfCell * raster_.cell_m(), edge);
+    const double reach = std::min(own + how_.overlap_m + kStepOfCell * raster_.cell_m(), edge);
+    return std::max(result, reach / own_below);
   }
 
   void claim(const Step& s, std::uint32_t line, Owners& owners) const {
@@ -111,31 +119,16 @@ class SideReach {
     }
   }
 
-  /// The half-angle that sees every point up to `reach`.
-  [[nodiscard]] Angle angle(const Vec2& p, const Vec2& side, double reach) const {
-    const double step = std::max(0.25, kStepOfCell * raster_.cell_m());
-    double tangent = 0.0;
-    double below = depth(p, 1.0);
-    const auto look = [&](double y) {
-      below = depth(p + y * side, below);
-      tangent = std::max(tangent, y / std::max(below - options_.vehicle.draft_m, 0.05));
-    };
-    for (double y = step; y < reach; y += step) look(y);
-    look(reach);
-    const double half = std::clamp(std::atan(tangent), Angle::degrees(kLeastSideDeg).rad(),
-                                   0.5 * options_.sonar.max_opening.rad());
-    return Angle::radians(half);
-  }
-
  private:
-  [[nodiscard]] double depth(const Vec2& p, double otherwise) const {
-    return ground_.depths->depth(p).value_or(otherwise);
+  /// Water below the sonar at p, metres.
+  [[nodiscard]] double below(const Vec2& p) const {
+    return std::max(raster_.depth_near(p).value_or(1.0) - options_.vehicle.draft_m, kLeastBelow);
   }
   [[nodiscard]] double width_at(const Vec2& p) const {
     const auto here = raster_.cell_at(p);
     return here && width_[*here] > 0.0F
                ? static_cast<double>(width_[*here])
-               : gap_free_width_m(options_, depth(p, 1.0), options_.resolution_m);
+               : gap_free_width_m(options_, below(p), options_.resolution_m);
   }
   [[nodiscard]] double edge_distance(const Vec2& p, const Vec2& side) const {
     const double most = how_.widest_share * width_at(p);
@@ -150,32 +143,41 @@ class SideReach {
   const WaterRaster& raster_;
   const std::vector<float>& width_;
   const AreaQuery& area_;
-  const PlanningGround& ground_;
   const PlanOptions& options_;
   const LineAnglesOptions& how_;
 };
 
-std::vector<double> joined(const std::vector<double>& reach) {
-  std::vector<double> result(reach.size());
-  const auto n = static_cast<std::ptrdiff_t>(reach.size());
+/// The widest of the steps around, but for jumps: those are walls.
+std::vector<double> joined(const std::vector<double>& tangents) {
+  std::vector<double> result(tangents);
+  const auto n = static_cast<std::ptrdiff_t>(tangents.size());
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    double most = 0.0;
+    const double own = tangents[static_cast<std::size_t>(i)];
     for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - kJoin); k <= std::min(n - 1, i + kJoin);
          ++k) {
-      most = std::max(most, reach[static_cast<std::size_t>(k)]);
+      const double other = tangents[static_cast<std::size_t>(k)];
+      if (other > kJump * own) continue;
+      double& widest = result[static_cast<std::size_t>(i)];
+      widest = std::max(widest, other);
     }
-    result[static_cast<std::size_t>(i)] = most;
   }
   return result;
 }
 
+Angle half_angle(double tangent, const Sonar& sonar) {
+  return Angle::radians(std::clamp(std::atan(tangent), Angle::degrees(kLeastSideDeg).rad(),
+                                   0.5 * sonar.max_opening.rad()));
+}
+
 }  // namespace
 
-std::vector<std::vector<Waypoint>> opened_lines(
-    const std::vector<SurveyCurve>& lines, const WaterRaster& raster,
-    const std::vector<float>& width, const AreaQuery& survey_area, const PlanningGround& ground,
-    const PlanOptions& options, const LineAnglesOptions& how, int first_number) {
-  const SideReach sides(raster, width, survey_area, ground, options, how);
+std::vector<std::vector<Waypoint>> opened_lines(const std::vector<SurveyCurve>& lines,
+                                                const WaterRaster& raster,
+                                                const std::vector<float>& width,
+                                                const AreaQuery& survey_area,
+                                                const PlanOptions& options,
+                                                const LineAnglesOptions& how, int first_number) {
+  const SideReach sides(raster, width, survey_area, options, how);
   Owners owners(raster.size());
   tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t k) {
     // Closer steps than the fans', so that no cell between two of them is passed over.
@@ -192,8 +194,8 @@ std::vector<std::vector<Waypoint>> opened_lines(
     const std::size_t n = steps.size();
     std::vector<double> right(n), left(n);
     for (std::size_t i = 0; i < n; ++i) {
-      right[i] = sides.reach(steps[i], false, static_cast<std::uint32_t>(k), owners);
-      left[i] = sides.reach(steps[i], true, static_cast<std::uint32_t>(k), owners);
+      right[i] = sides.tangent(steps[i], false, static_cast<std::uint32_t>(k), owners);
+      left[i] = sides.tangent(steps[i], true, static_cast<std::uint32_t>(k), owners);
     }
     right = joined(right);
     left = joined(left);
@@ -202,8 +204,8 @@ std::vector<std::vector<Waypoint>> opened_lines(
     point.speed_mps = options.vehicle.speed_mps;
     for (std::size_t i = 0; i < n; ++i) {
       point.position = points[i];
-      point.fan = FanAngles{sides.angle(steps[i].middle, -steps[i].starboard, left[i]),
-                            sides.angle(steps[i].middle, steps[i].starboard, right[i])};
+      point.fan =
+          FanAngles{half_angle(left[i], options.sonar), half_angle(right[i], options.sonar)};
       result[k].push_back(point);
     }
     point.position = points.back();

@@ -9,6 +9,9 @@ namespace swathplan {
 struct LineAnglesOptions {
   double overlap_m = 0.4;     ///< that a side reaches past the boundary to its neighbour, >= 0
   double widest_share = 1.0;  ///< of W that one side reaches at most
+  /// Lines meet half-way in metres, not in swaths: for steps in the seafloor, where a line over the
+  /// deep would reach up onto the shoal and spread its beams for it.
+  bool by_distance = false;
 };
 
 /// Opens the fan along survey lines, each side by itself: to the farthest point that this line sees
@@ -19,8 +22,8 @@ struct LineAnglesOptions {
 /// Returns the waypoints of each line (sonar on, logged, numbered from `first_number`).
 [[nodiscard]] std::vector<std::vector<Waypoint>> opened_lines(
     const std::vector<SurveyCurve>& lines, const WaterRaster& raster,
-    const std::vector<float>& width, const AreaQuery& survey_area, const PlanningGround& ground,
-    const PlanOptions& options, const LineAnglesOptions& how, int first_number = 1);
+    const std::vector<float>& width, const AreaQuery& survey_area, const PlanOptions& options,
+    const LineAnglesOptions& how, int first_number = 1);
 
 /// A side is never narrower than this, so that a line along a wall still sees below itself.
 inline constexpr double kLeastSideDeg = 3.0;

@@ -44,7 +44,7 @@ std::vector<Waypoint> backwards(const std::vector<Waypoint>& line) {
 std::vector<std::vector<Waypoint>> LineWorkshop::sailed(const std::vector<SurveyCurve>& lines,
                                                         const std::vector<float>& width,
                                                         const LineAnglesOptions& angles) const {
-  auto opened = opened_lines(lines, raster_, width, survey_area_, ground_, options_, angles);
+  auto opened = opened_lines(lines, raster_, width, survey_area_, options_, angles);
   std::erase_if(opened, [](const auto& line) { return line.size() < 2; });
   std::vector<LineEnds> ends;
   for (const auto& line : opened) ends.push_back(ends_of(line));

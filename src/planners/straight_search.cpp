@@ -38,7 +38,9 @@ const std::vector<float>& width_of(const StraightCandidate& c, LineWorkshop& sho
 }
 
 LineAnglesOptions angles_of(const StraightCandidate& c, const LineWorkshop& shop) {
-  return {.overlap_m = c.overlap_m, .widest_share = c.widest_share / kept(shop)};
+  return {.overlap_m = c.overlap_m,
+          .widest_share = c.widest_share / kept(shop),
+          .by_distance = c.by_distance};
 }
 
 class Search {
@@ -147,6 +149,7 @@ class Search {
       v.*member = value;
       if (!(v == c)) list.push_back(v);
     };
+    vary(&StraightCandidate::by_distance, !c.by_distance);
     const int step = std::max(1, c.lines / 25);
     const double radius = shop_.options().vehicle.turn_radius_m;
     vary(&StraightCandidate::lines, c.lines + step);

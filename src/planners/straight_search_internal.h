@@ -18,6 +18,7 @@ struct StraightCandidate {
   double inset_m = 0.05;
   double overlap_m = 0.4;
   double widest_share = 1.0;
+  bool by_distance = false;
   bool operator==(const StraightCandidate&) const = default;
 };
 
