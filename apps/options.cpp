@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mesh/error.h"
+#include "planners/skeleton_smoothing.h"
 
 namespace swathplan {
 namespace {
@@ -234,6 +235,12 @@ void add_planning_options(CLI::App& command, SurveyOptions& o) {
       ->capture_default_str()
       ->group(group);
   command
+      .add_option("--smooth", o.smooth,
+                  "NUC, MDNUC: none (round the skeleton's corners) or ipopt (smooth the path)")
+      ->check(CLI::IsMember({"none", "ipopt"}))
+      ->capture_default_str()
+      ->group(group);
+  command
       .add_option("--run-in", o.run_in_m,
                   "Sail this far straight before each line, metres; less than 0 shortens the line")
       ->capture_default_str()
@@ -365,6 +372,7 @@ PlanOptions plan_options(const SurveyOptions& o, const Frame& frame) {
   require(true, "--run-in", o.run_in_m, "must be a number of metres");
   require(true, "--run-out", o.run_out_m, "must be a number of metres");
   result.run_in_m = o.run_in_m;
+  if (o.smooth == "ipopt") result.smooth = smoothing_for(result);
   result.run_out_m = o.run_out_m;
   if (!o.start.empty()) result.start = start_point(o.start, frame);
   if (o.heading_deg) {
@@ -474,6 +482,7 @@ Provenance provenance_of(const std::string& command, const SiteOptions& site,
             0.3 * std::pow(o.face_size.value_or(1.0) * sonar.beams * o.resolution_m, 2)));
     if (o.face_size) add("face_size", *o.face_size);
     add("opening", o.opening);
+    add("smooth", o.smooth);
     add("run_in_m", o.run_in_m);
     add("run_out_m", o.run_out_m);
     add("start", o.start);

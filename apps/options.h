@@ -38,6 +38,7 @@ struct SurveyOptions {
   std::optional<double> speed_mps, turn_speed_mps, transit_speed_mps, turn_radius_m;
   std::optional<double> endurance_h, power_w;
   double run_in_m = 0.0, run_out_m = 0.0;
+  std::string smooth = "none";
   std::string depth_bands = "2";
   std::optional<double> smallest_region_m2;
   std::optional<double> face_size;

@@ -92,16 +92,19 @@ void write_survey_report(const std::filesystem::path& file, const std::string& t
 }
 
 std::string table(const std::vector<PlannedSurvey>& surveys) {
-  std::string text = fmt::format("{:<16}{:>9}{:>9}{:>11}{:>9}{:>8}{:>9}{:>10}{:>10}{:>10}{:>8}\n",
-                                 "planner", "hit %", "logged %", "footpr. %", "length m", "ratio",
-                                 "overlap", "turns", "holidays", "outside m", "hours");
+  std::string text =
+      fmt::format("{:<16}{:>9}{:>9}{:>11}{:>9}{:>8}{:>9}{:>10}{:>10}{:>10}{:>9}{:>8}{:>8}\n",
+                  "planner", "hit %", "logged %", "footpr. %", "length m", "ratio", "overlap",
+                  "turns", "holidays", "outside m", "tight m", "infeas.", "hours");
   for (const PlannedSurvey& s : surveys) {
     const Score& score = s.scored.score;
     text += fmt::format(
-        "{:<16}{:>9.2f}{:>9.2f}{:>11.2f}{:>9.0f}{:>8.2f}{:>9.2f}{:>10}{:>10}{:>10.1f}{:>8.2f}\n",
+        "{:<16}{:>9.2f}{:>9.2f}{:>11.2f}{:>9.0f}{:>8.2f}{:>9.2f}{:>10}{:>10}{:>10.1f}{:>9.1f}{:>8}{"
+        ":>8.2f}\n",
         s.label, score.all.hit_pct, score.logged.hit_pct, score.all.footprint_pct,
         score.route.length_m, score.route.length_ratio, score.overlap, score.route.turns,
-        score.holidays.list.size(), score.route.outside_water_m, score.route.duration_s / 3600.0);
+        score.holidays.list.size(), score.route.outside_water_m, score.route.tight_turn_m,
+        score.route.infeasible_legs, score.route.duration_s / 3600.0);
   }
   return text;
 }

@@ -40,7 +40,11 @@ void add_lengths(const Route& route, RouteFigures& figures) {
     figures.length_m += length;
     figures.length_by_kind_m[std::string(name(w.kind))] += length;
     if (w.log) figures.logged_length_m += length;
-    figures.duration_s += length / w.speed_mps;
+    const double seconds = length / w.speed_mps;
+    figures.duration_s += seconds;
+    figures.duration_by_kind_s[std::string(name(w.kind))] += seconds;
+    if (w.line) figures.duration_by_line_s[*w.line] += seconds;
+    if (!w.feasible) figures.infeasible_m += length;
   }
 }
 
@@ -67,7 +71,7 @@ class TurnCounter {
   double curve_ = 0.0;
 };
 
-void add_turns(const std::vector<Vec2>& points, RouteFigures& figures) {
+void add_turns(const std::vector<Vec2>& points, double smallest_radius_m, RouteFigures& figures) {
   TurnCounter turns(figures);
   figures.min_turn_radius_m = kInfinity;
   double way = 0.0;  // since the last bend
@@ -79,8 +83,13 @@ void add_turns(const std::vector<Vec2>& points, RouteFigures& figures) {
     figures.total_turning_deg += std::abs(angle) * 180.0 / std::numbers::pi;
     const double tangent = std::tan(0.5 * std::abs(angle));
     if (tangent > 0.0) {
-      figures.min_turn_radius_m =
-          std::min(figures.min_turn_radius_m, 0.5 * std::min(before, after) / tangent);
+      const double half = 0.5 * std::min(before, after);
+      figures.min_turn_radius_m = std::min(figures.min_turn_radius_m, half / tangent);
+      if (half < (1.0 - kTightShare) * smallest_radius_m * tangent) {
+        // As much path as a turn of that radius takes for this bend, if there is so much.
+        figures.tight_turn_m +=
+            std::min(0.5 * (before + after), smallest_radius_m * std::abs(angle));
+      }
     }
     // Points along a straight line bend by rounding alone.
     constexpr double kStraight = 1e-6;
@@ -123,11 +132,15 @@ RouteFigures route_figures(const Route& route, const Vehicle& vehicle, const Are
                            double footprint_width_m) {
   RouteFigures figures;
   add_lengths(route, figures);
+  for (const Leg& leg : legs(route))
+    figures.infeasible_legs += !route.waypoints[leg.first].feasible;
+  if (vehicle.power_w) figures.energy_wh = *vehicle.power_w * figures.duration_s / 3600.0;
+  figures.beyond_endurance = figures.duration_s > 3600.0 * vehicle.endurance_h;
   if (survey_area_m2 > 0 && footprint_width_m > 0) {
     figures.length_ratio = figures.length_m / (survey_area_m2 / footprint_width_m);
   }
   const std::vector<Vec2> points = distinct_points(route);
-  add_turns(points, figures);
+  add_turns(points, vehicle.turn_radius_m, figures);
   figures.self_crossings = self_crossings(points);
   figures.outside_water_m = outside_m(points, water);
   figures.min_under_keel_m = least_depth(points, depths) - vehicle.draft_m;

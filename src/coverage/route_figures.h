@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "coverage/route.h"
@@ -28,8 +29,18 @@ struct RouteFigures {
   double outside_water_m = 0.0;    ///< path outside the water or inside no-go
   double min_under_keel_m = 0.0;   ///< least depth below the path less the draft; infinite: no data
   double duration_s = 0.0;         ///< length over each leg's speed
+  std::map<std::string, double> duration_by_kind_s;
+  std::map<int, double> duration_by_line_s;  ///< line number -> seconds
+  std::optional<double> energy_wh;  ///< of the duration, where the vehicle's power is known
+  bool beyond_endurance = false;    ///< longer under way than the vehicle's endurance
+  double tight_turn_m = 0.0;        ///< path that bends tighter than the vehicle's turn radius
+  std::size_t infeasible_legs = 0;  ///< legs that the planner marked
+  double infeasible_m = 0.0;
 };
 
+/// A bend counts as tight when its radius falls short of the vehicle's by more than this share:
+/// points written in millimetres bend by rounding.
+inline constexpr double kTightShare = 0.01;
 inline constexpr double kTurnDeg = 30.0;
 inline constexpr double kSharpTurnDeg = 90.0;
 /// Bends to the same side no farther apart than this are one curve, metres of path.

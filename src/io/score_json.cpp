@@ -39,6 +39,19 @@ void add_route(Json& json, const RouteFigures& route) {
     json["length_by_kind_m"][kind] = metres;
   }
   json["duration_s"] = route.duration_s;
+  json["duration_by_kind_s"] = Json::object();
+  for (const auto& [kind, seconds] : route.duration_by_kind_s) {
+    json["duration_by_kind_s"][kind] = seconds;
+  }
+  json["duration_by_line_s"] = Json::object();
+  for (const auto& [line, seconds] : route.duration_by_line_s) {
+    json["duration_by_line_s"][std::to_string(line)] = seconds;
+  }
+  json["energy_wh"] = route.energy_wh ? Json(*route.energy_wh) : Json(nullptr);
+  json["beyond_endurance"] = route.beyond_endurance;
+  json["infeasible_legs"] = route.infeasible_legs;
+  json["infeasible_m"] = route.infeasible_m;
+  json["tight_turn_m"] = route.tight_turn_m;
   json["turns"] = route.turns;
   json["sharp_turns"] = route.sharp_turns;
   json["total_turning_deg"] = route.total_turning_deg;

@@ -12,6 +12,13 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 /// A turn this near to a full circle is none: rounding took it below 0.
 constexpr double kFullTurn = 1e-9;
 
+/// Turning circles that overlap by less than this (radii squared) touch: one turn passes into the
+/// other with no straight between.
+constexpr double kTouching = 1e-9;
+
+/// Turning circles whose centres are nearer than this (radii) are one.
+constexpr double kOneCircle = 1e-7;
+
 double turn_mod(double angle) {
   const double a = angle - kTwoPi * std::floor(angle / kTwoPi);
   return a > kTwoPi - kFullTurn ? 0.0 : a;
@@ -69,13 +76,15 @@ class Words {
   [[nodiscard]] std::optional<Word> same_side(int side) const {
     const double square = 2.0 + d * d - 2.0 * cab + 2.0 * d * side * (sa - sb);
     const double p = std::sqrt(std::max(0.0, square));
+    // Both turning circles are one: the straight has no direction.
+    if (p < kOneCircle) return Word{{side, 0, side}, turn_mod(side * (b - a)), 0.0, 0.0};
     const double w = std::atan2(side * (cb - ca), d + side * (sa - sb));
     return Word{{side, 0, side}, turn_mod(side * (w - a)), p, turn_mod(side * (b - w))};
   }
   [[nodiscard]] std::optional<Word> changing_side(int side) const {
     const double square = d * d - 2.0 + 2.0 * cab + 2.0 * d * side * (sa + sb);
-    if (square < 0.0) return std::nullopt;
-    const double p = std::sqrt(square);
+    if (square < -kTouching) return std::nullopt;
+    const double p = std::sqrt(std::max(0.0, square));
     const double w =
         std::atan2(-side * (ca + cb), d + side * (sa + sb)) - std::atan2(-2.0 * side, p);
     return Word{{side, 0, -side}, turn_mod(side * (w - a)), p, turn_mod(side * (w - b))};

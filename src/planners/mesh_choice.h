@@ -17,7 +17,7 @@ namespace swathplan {
 
 inline constexpr std::size_t kFewFaces = 100;
 /// Points of coverage that one more ideal length must bring. Finer faces bring 2 to 3 on the
-/// synthetic seafloors near 95 %; asking for 4 keeps paths short.
-inline constexpr double kPointsPerRatio = 4.0;
+/// synthetic seafloors near 95 %; asking for more keeps paths short.
+inline constexpr double kPointsPerRatio = 5.5;
 
 }  // namespace swathplan

@@ -9,6 +9,7 @@
 
 #include "planners/mesh_choice.h"
 #include "planners/route_builder.h"
+#include "planners/skeleton_smoothing.h"
 
 namespace swathplan {
 namespace {
@@ -277,16 +278,35 @@ double nearest(const SkeletonCycle& cycle, const Vec2& p) {
   return best;
 }
 
+std::vector<SkeletonPoint> path_of(const SkeletonCycle& cycle,
+                                   const std::vector<std::pair<Vec2, Vec2>>& blocked,
+                                   const PlanningGround& ground, const PlanOptions& options,
+                                   SmoothResult& verdict) {
+  if (options.smooth) return smoothed(cycle, blocked, ground.water, *options.smooth, verdict);
+  return rounded(cycle, (1.0 + kRadiusReserve) * options.vehicle.turn_radius_m);
+}
+
+std::string verdict_note(const SmoothResult& verdict) {
+  std::string text = fmt::format("smoothing solved {} windows", verdict.windows);
+  for (const auto& [status, count] : verdict.status) text += fmt::format(", {}: {}", status, count);
+  if (verdict.failed_windows > 0) {
+    text += fmt::format("; {:.0f} m of the skeleton stay as they were", verdict.failed_m);
+  }
+  return text;
+}
+
 }  // namespace
 
 Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
                      const std::vector<std::uint32_t>& region_of,
                      const std::vector<FanAngles>& fans, const PlanningGround& ground,
-                     const PlanOptions& options, std::vector<std::string>& notes) {
+                     const PlanOptions& options, std::vector<std::string>& notes,
+                     const std::vector<std::pair<Vec2, Vec2>>& blocked) {
   std::vector<SkeletonCycle> left = cycles;
   std::optional<Vec2> at = options.start;
   RouteBuilder builder(ground, options);
   int line = 1;
+  SmoothResult verdict;
   while (!left.empty()) {
     auto pick = left.begin();
     if (at) {
@@ -298,8 +318,7 @@ Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
       begin_near(*pick, pick->front().position);
     }
     std::vector<Waypoint> points;
-    for (const SkeletonPoint& point :
-         rounded(*pick, (1.0 + kRadiusReserve) * options.vehicle.turn_radius_m)) {
+    for (const SkeletonPoint& point : path_of(*pick, blocked, ground, options, verdict)) {
       Waypoint w;
       w.position = point.position;
       w.line = line;
@@ -315,6 +334,7 @@ Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
     ++line;
   }
   for (const std::string& note : builder.notes()) notes.push_back(note);
+  if (options.smooth) notes.push_back(verdict_note(verdict));
   return builder.finish();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "planners/plan.h"
@@ -50,10 +51,12 @@ inline constexpr double kArcStepDeg = 3.0;
 
 /// Skeleton cycles -> route: each cycle opened at its point nearest to `start` (or to where the
 /// part before ended), parts joined by transits through the water. `fan[region]` is the fan of a
-/// region; `region_of` may be empty, then fan[0] holds everywhere.
+/// region; `region_of` may be empty, then fan[0] holds everywhere. `blocked`: edges that smoothing
+/// must not take the path across.
 [[nodiscard]] Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
                                    const std::vector<std::uint32_t>& region_of,
                                    const std::vector<FanAngles>& fans, const PlanningGround& ground,
-                                   const PlanOptions& options, std::vector<std::string>& notes);
+                                   const PlanOptions& options, std::vector<std::string>& notes,
+                                   const std::vector<std::pair<Vec2, Vec2>>& blocked = {});
 
 }  // namespace swathplan

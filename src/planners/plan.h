@@ -14,6 +14,7 @@
 #include "mesh/polygons.h"
 #include "mesh/seafloor.h"
 #include "planners/pareto.h"
+#include "planners/smooth.h"
 
 namespace swathplan {
 
@@ -55,6 +56,7 @@ struct PlanOptions {
   /// regular face.
   std::optional<double> smallest_region_m2;
   Opening opening = Opening::region;
+  std::optional<SmoothOptions> smooth;  ///< NUC, MDNUC: smooth the skeleton; empty: round corners
   double run_in_m = 0.0;   ///< sailed straight before each line, not logged; < 0 shortens the line
   double run_out_m = 0.0;  ///< and behind it
   std::optional<Vec2> start;     ///< begin as near to this as the planner can

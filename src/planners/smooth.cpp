@@ -22,6 +22,8 @@ namespace {
 /// Steps may shrink and grow by this much; the curvature bound holds for the shortest.
 constexpr double kShortest = 0.93;
 constexpr double kLongest = 1.12;
+/// ... and a step that starts shorter may shrink to this share of itself.
+constexpr double kStartShare = 0.98;
 /// The bound on the second difference is a chord's, the radius an arc's: reserve for the
 /// difference.
 constexpr double kRadiusShare = 0.97;
@@ -29,8 +31,10 @@ constexpr double kRadiusShare = 0.97;
 constexpr double kRoomShare = 0.9;
 /// Points at either end of a window that its neighbours hold.
 constexpr std::size_t kHeld = 2;
-constexpr int kMostIterations = 150;
-constexpr double kTolerance = 1e-5;
+constexpr int kMostIterations = 80;
+constexpr double kTolerance = 1e-3;
+/// Norms may miss their bounds by this share of the step squared.
+constexpr double kFeasible = 1e-6;
 
 /// A pass beside point i, `normal` pointing there.
 struct Neighbour {
@@ -116,12 +120,13 @@ class Window {
  public:
   Window(const Samples& s, const std::vector<Vec2>& now, const std::vector<double>& room,
          const SmoothOptions& o, std::size_t from, std::size_t to)
-      : s_(s), now_(now), o_(o), from_(from), to_(to) {
+      : s_(s), now_(now), room_(room), o_(o), from_(from), to_(to) {
     const std::size_t n = to - from;
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = from + k;
       const bool held = (k < kHeld && from > 0) || k == 0 || k + 1 == n ||
                         (k + kHeld >= n && to < s.points.size());
+      held_.push_back(held ? 1 : 0);
       const double r = held ? 0.0 : room[i];
       const Vec2& middle = held ? now[i] : s.points[i];
       problem_.start.push_back(now[i]);
@@ -168,21 +173,44 @@ class Window {
                                   o_.deviation_weight});
       }
     }
-    const double step2 = s_.step * s_.step;
-    const double bend = kRadiusShare * kShortest * kShortest * step2 / o_.radius_m;
-    for (int k = 0; k + 1 < n; ++k) {
-      problem_.norms.push_back(
-          {{{k, -1.0}, {k + 1, 1.0}}, kShortest * kShortest * step2, kLongest * kLongest * step2});
-      if (k > 0) {
-        problem_.norms.push_back({{{k - 1, 1.0}, {k, -2.0}, {k + 1, 1.0}}, 0.0, bend * bend});
-      }
-    }
+    for (int k = 0; k + 1 < n; ++k) add_step(k);
+    for (int k = 1; k + 1 < n; ++k) add_bend(k);
+  }
+
+  /// Steps stay even, but for those that cut a corner of the skeleton, which are shorter from the
+  /// start and may stay so.
+  void add_step(int k) {
+    const auto c = static_cast<std::size_t>(k);
+    if (held_[c] && held_[c + 1]) return;
+    const double step = s_.step;
+    const double chord = std::min((s_.points[from_ + c + 1] - s_.points[from_ + c]).norm(),
+                                  (now_[from_ + c + 1] - now_[from_ + c]).norm());
+    const double low = std::min(kShortest * step, kStartShare * chord);
+    problem_.norms.push_back(
+        {{{k, -1.0}, {k + 1, 1.0}}, low * low, kLongest * kLongest * step * step});
+  }
+
+  /// Curvature: the bend between two steps at most that of the radius. A corner of the skeleton
+  /// with too little room for that keeps its bend; it is mended, or counted, afterwards.
+  void add_bend(int k) {
+    const auto c = static_cast<std::size_t>(k);
+    if (held_[c - 1] && held_[c] && held_[c + 1]) return;
+    const bool any_held = held_[c - 1] || held_[c] || held_[c + 1];
+    const std::size_t i = from_ + c;
+    const auto& p = any_held ? now_ : s_.points;
+    const double bound = kRadiusShare * kShortest * kShortest * s_.step * s_.step / o_.radius_m;
+    const double bend = (p[i - 1] - 2.0 * p[i] + p[i + 1]).norm();
+    const double room = any_held ? 0.0 : std::min({room_[i - 1], room_[i], room_[i + 1]});
+    const double most = bend - 2.0 * room > bound ? kLongest * bend : bound;
+    problem_.norms.push_back({{{k - 1, 1.0}, {k, -2.0}, {k + 1, 1.0}}, 0.0, most * most});
   }
 
   const Samples& s_;
   const std::vector<Vec2>& now_;
+  const std::vector<double>& room_;
   const SmoothOptions& o_;
   std::size_t from_, to_;
+  std::vector<char> held_;
   PathProblem problem_;
 };
 
@@ -209,6 +237,18 @@ struct Solved {
   std::vector<Vec2> points;
 };
 
+bool keeps_bounds(const PathProblem& problem, const std::vector<Vec2>& points) {
+  return points.size() == problem.start.size() &&
+         std::all_of(problem.norms.begin(), problem.norms.end(), [&](const NormConstraint& norm) {
+           Vec2 sum = Vec2::Zero();
+           for (const auto& [i, factor] : norm.parts) {
+             sum += factor * points[static_cast<std::size_t>(i)];
+           }
+           const double dust = kFeasible * std::max(1.0, norm.upper);
+           return sum.squaredNorm() >= norm.lower - dust && sum.squaredNorm() <= norm.upper + dust;
+         });
+}
+
 Solved solve(const PathProblem& problem) {
   // Ipopt's linear solver keeps state of its own: one at a time in the whole process.
   static std::mutex one_at_a_time;
@@ -221,10 +261,13 @@ Solved solve(const PathProblem& problem) {
   app->Options()->SetIntegerValue("max_iter", kMostIterations);
   app->Options()->SetNumericValue("tol", kTolerance);
   app->Options()->SetNumericValue("bound_push", 1e-8);
+  app->Options()->SetStringValue("mu_strategy", "adaptive");
   app->Options()->SetNumericValue("bound_relax_factor", 0.0);
   if (app->Initialize("") != Ipopt::Solve_Succeeded) return {"not started", false, {}};
   const auto status = app->OptimizeTNLP(nlp);
-  const bool good = status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level;
+  bool good = status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level;
+  // Far enough, if not to the end: it keeps every bound.
+  if (status == Ipopt::Maximum_Iterations_Exceeded) good = keeps_bounds(problem, nlp->points());
   return {status_name(status), good, nlp->points()};
 }
 

@@ -19,11 +19,11 @@ struct SmoothOptions {
   double curvature_weight = 1.0;
   double deviation_weight = 0.02;
   double spacing_weight = 0.02;
-  std::size_t window = 240;  ///< points solved at once
-  std::size_t overlap = 40;  ///< of them solved again with the next window
+  std::size_t window = 160;  ///< points solved at once
+  std::size_t overlap = 30;  ///< of them solved again with the next window
   /// Metres from a segment to what the path must not cross (the water's edge, blocked edges); no
   /// point moves farther than that. Empty: open water.
-  std::function<double(const Vec2&, const Vec2&)> room;
+  std::function<double(const Vec2&, const Vec2&)> room = {};
 };
 
 struct SmoothResult {
