@@ -11,7 +11,7 @@ struct PlanCommand {
   SiteOptions site;
   SurveyOptions survey;
   OutputOptions output;
-  std::string planner = "mdnuc";
+  std::string planner = "fitted-lines";
 };
 
 void run(const PlanCommand& command) {

@@ -8,6 +8,7 @@
 #include "apps/progress.h"
 #include "mesh/error.h"
 #include "planners/back_and_forth.h"
+#include "planners/fitted_lines.h"
 #include "planners/mdnuc.h"
 #include "planners/multi_depth.h"
 #include "planners/nuc.h"
@@ -27,6 +28,7 @@ const std::vector<Planner>& planners() {
       {"multi-depth", "MDB&F", plan_multi_depth},
       {"nuc", "NUC", plan_nuc},
       {"mdnuc", "MDNUC", plan_mdnuc},
+      {"fitted-lines", "fitted lines", plan_fitted_lines},
   };
   return list;
 }

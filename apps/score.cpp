@@ -5,6 +5,7 @@
 #include "io/read_route.h"
 #include "io/score_json.h"
 #include "mesh/error.h"
+#include "planners/infill.h"
 
 namespace swathplan {
 namespace {
@@ -15,6 +16,7 @@ struct ScoreCommand {
   OutputOptions output;
   std::filesystem::path route;
   std::optional<double> opening_deg;
+  bool infill = false;
 };
 
 /// The fan for routes that do not say: --opening-angle, else W at the mean depth.
@@ -47,6 +49,18 @@ void check_meets_data(const Route& route, const Site& site, const std::filesyste
       file.string()));
 }
 
+/// The route with extra passes over its gaps.
+Plan with_passes(const Plan& plan, const ScoreCommand& command, const Site& site,
+                 const Scorer& scorer) {
+  InfilledRoute filled = infilled(plan.route, site.planning_ground(&scorer.scene()),
+                                  plan_options(command.survey, site.seafloor().frame));
+  Plan result;
+  result.route = std::move(filled.built.route);
+  result.notes = std::move(filled.built.notes);
+  result.notes.push_back(fmt::format("{} infill passes were added", filled.passes));
+  return result;
+}
+
 void run(const ScoreCommand& command) {
   static_cast<void>(score_options(command.survey));
   const auto site = load_site(command.site, vehicle_of(command.survey));
@@ -64,8 +78,16 @@ void run(const ScoreCommand& command) {
   ScoredRoute scored = scorer.score("score", plan.route);
   std::vector<PlannedSurvey> surveys;
   const std::string name = command.route.filename().string();
+  std::optional<Plan> filled;
+  if (command.infill) filled = with_passes(plan, command, *site, scorer);
   surveys.push_back({"given", name, std::move(plan), std::move(scored), 0.0, 0.0});
   const std::filesystem::path& folder = command.output.folder;
+  if (filled) {
+    ScoredRoute again = scorer.score("infill", filled->route);
+    surveys.push_back(
+        {"infill", name + " + infill", std::move(*filled), std::move(again), 0.0, 0.0});
+    write_survey(folder / "infill", surveys[1], *site, command.survey, provenance);
+  }
   write_survey(folder, surveys[0], *site, command.survey, provenance);
   write_survey_report(folder / "report.html",
                       fmt::format("{}: {}", command.site.file.filename().string(), name), surveys,
@@ -74,7 +96,8 @@ void run(const ScoreCommand& command) {
     if (!command.output.quiet) fmt::print(stderr, "note: {}\n", note);
   }
   if (command.output.json) {
-    fmt::print("{}", score_json("given", surveys[0].scored.score, provenance));
+    // With infill the figures asked for are those of the route that was made.
+    fmt::print("{}", score_json(surveys.back().planner, surveys.back().scored.score, provenance));
   } else if (!command.output.quiet) {
     fmt::print("{}report: {}\n", table(surveys), (folder / "report.html").string());
   }
@@ -91,6 +114,8 @@ void add_score_command(CLI::App& app) {
   sub->add_option(
       "--opening-angle", command->opening_deg,
       "Full opening angle where ROUTE has none, degrees (default: W at the mean depth)");
+  sub->add_flag("--infill", command->infill,
+                "Also add passes over the gaps: a second route, in the folder 'infill'");
   add_scoring_options(*sub, command->survey);
   add_output_options(*sub, command->output);
   sub->callback([command] { run(*command); });
