@@ -10,6 +10,8 @@ namespace {
 
 /// Empty squares are gathered to bins of this size at least, metres.
 constexpr double kFinestBin = 0.5;
+/// Rounding of cutting a pass at the outline, metres.
+constexpr double kDust = 1e-6;
 /// Share of the swath that a pass may count on: its rim is thinly sounded.
 constexpr double kSureShare = 0.9;
 
@@ -120,7 +122,8 @@ InfillPass EmptyGround::best_on(const Heading& h, std::size_t row) const {
       first = c + 1;
     } else if (worth > best_worth) {
       best_worth = worth;
-      best = {at(static_cast<double>(first)), at(static_cast<double>(c) + 1.0), gain};
+      // From centre to centre: those are known to be water.
+      best = {at(static_cast<double>(first) + 0.5), at(static_cast<double>(c) + 0.5), gain};
     }
   }
   return best;
@@ -163,6 +166,8 @@ std::optional<InfillPass> EmptyGround::take_best(
     const double length = (pass.to - pass.from).norm();
     double worth = pass.gain_m2 - least_gain_ * length;
     if (!(length > 0.0) || worth <= 0.0) continue;
+    // What is narrower than a bin hides between two centres.
+    if (shop_.lines_in().inside_length(pass.from, pass.to) < length - kDust) continue;
     worth -= least_gain_ * detour(pass);
     if (worth <= 0.0) continue;
     row.bound = worth;
