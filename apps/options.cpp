@@ -225,7 +225,7 @@ void add_planning_options(CLI::App& command, SurveyOptions& o) {
       ->group(group);
   command
       .add_option("--face-size", o.face_size,
-                  "Hypotenuse of a mesh face, as a share of W (default: 1.0; the best of several "
+                  "Hypotenuse of a mesh face, as a share of W (default: 0.93; the best of several "
                   "meshes where the area holds few faces)")
       ->group(group);
   command
@@ -479,7 +479,7 @@ Provenance provenance_of(const std::string& command, const SiteOptions& site,
     add("depth_bands", o.depth_bands);
     add("smallest_region_m2",
         o.smallest_region_m2.value_or(
-            0.3 * std::pow(o.face_size.value_or(1.0) * sonar.beams * o.resolution_m, 2)));
+            0.3 * std::pow(o.face_size.value_or(kFaceSize) * sonar.beams * o.resolution_m, 2)));
     if (o.face_size) add("face_size", *o.face_size);
     add("opening", o.opening);
     add("smooth", o.smooth);

@@ -1,5 +1,6 @@
 #include "mesh/seafloor.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -4,7 +4,8 @@
 
 namespace swathplan {
 
-/// Lines stop this far before the outline, metres: just enough that rounding keeps them in the water.
+/// Lines stop this far before the outline, metres: just enough that rounding keeps them in the
+/// water.
 inline constexpr double kLineInset = 0.05;
 
 /// Back-and-forth (B&F), today's baseline: parallel lines at spacing W along one direction (the

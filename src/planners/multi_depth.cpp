@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "planners/back_and_forth.h"
-#include "planners/survey_lines.h"
 #include "planners/route_builder.h"
+#include "planners/survey_lines.h"
 
 namespace swathplan {
 namespace {

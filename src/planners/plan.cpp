@@ -45,14 +45,14 @@ void check(const PlanOptions& options) {
 
 PlanarMesh planning_mesh(const PlanningGround& ground, const PlanOptions& options) {
   check(options);
-  return planar_mesh(reachable_area(ground), {.hypotenuse_m = options.face_size.value_or(1.0) *
+  return planar_mesh(reachable_area(ground), {.hypotenuse_m = options.face_size.value_or(kFaceSize) *
                                                               footprint_width_m(options)});
 }
 
 DepthRegions planning_regions(const PlanarMesh& mesh, const std::vector<SharedEdge>& edges,
                               const PlanningGround& ground, const PlanOptions& options) {
   const double width = footprint_width_m(options);
-  const double face = options.face_size.value_or(1.0) * width;
+  const double face = options.face_size.value_or(kFaceSize) * width;
   return depth_regions(
       mesh, edges, *ground.depths,
       {.bands = options.bands,
