@@ -168,6 +168,13 @@ std::optional<InfillPass> EmptyGround::take_best(
     if (!(length > 0.0) || worth <= 0.0) continue;
     // What is narrower than a bin hides between two centres.
     if (shop_.lines_in().inside_length(pass.from, pass.to) < length - kDust) continue;
+    if (!rows_.empty() && worth < rows_.front().bound) {
+      // Not the best even if it cost no detour, which is dear to look up.
+      row.bound = worth;
+      rows_.push_back(row);
+      std::push_heap(rows_.begin(), rows_.end(), less);
+      continue;
+    }
     worth -= least_gain_ * detour(pass);
     if (worth <= 0.0) continue;
     row.bound = worth;
