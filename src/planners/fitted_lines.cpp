@@ -22,6 +22,10 @@ constexpr int kFewestCandidates = 30;
 /// One coarse judgement should not cost more than this many rays.
 constexpr double kRaysOfOne = 8e6;
 constexpr double kRaysToSteer = 3e6;
+/// Sites with more rays than this in a plan are large: joining their lines and filling their gaps
+/// costs tens of seconds a plan, so fewer plans get that far.
+constexpr double kRaysOfLarge = 3e7;
+constexpr std::size_t kFewFinalists = 3;
 /// Prices of infill, as shares of W that a metre must bring: dear ones first.
 constexpr double kInfillGains[] = {0.2, 0.07};
 /// Choices differ in length by at least this share.
@@ -39,11 +43,19 @@ struct Finished {
   Outcome outcome;
 };
 
-SearchBudget budget_for(const LineWorkshop& shop) {
+/// Rays of a plan of about two ideal lengths.
+double rays_of_plan(const LineWorkshop& shop) {
   const PlanOptions& o = shop.options();
   const double path = 2.0 * area_m2(shop.ground().survey_area) / footprint_width_m(o);
-  const double rays = path / o.ping_spacing_m * o.sonar.beams;
+  return path / o.ping_spacing_m * o.sonar.beams;
+}
+
+bool is_large(const LineWorkshop& shop) { return rays_of_plan(shop) > kRaysOfLarge; }
+
+SearchBudget budget_for(const LineWorkshop& shop) {
+  const double rays = rays_of_plan(shop);
   SearchBudget budget;
+  if (is_large(shop)) budget.finalists = kFewFinalists;
   budget.coarse = rays > kRaysOfOne ? 2 : 1;
   // Steering a way between all lines costs seconds where there are many.
   budget.steered = rays <= kRaysToSteer;
@@ -66,7 +78,7 @@ void infill_best(std::vector<Finished>& plans, LineWorkshop& shop) {
   std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) {
     return worth(plans[a].outcome) > worth(plans[b].outcome);
   });
-  if (best.size() > kInfillOn) best.resize(kInfillOn);
+  best.resize(std::min(best.size(), is_large(shop) ? 1 : kInfillOn));
   for (const std::size_t i : best) {
     const CoverageGrid grid = shop.score(plans[i].built.route).grid;
     std::size_t before = 0;
@@ -122,7 +134,7 @@ void add_field_plans(std::vector<Finished>& plans, LineWorkshop& shop) {
   std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) {
     return worth(a.outcome) > worth(b.outcome);
   });
-  for (std::size_t i = 0; i < std::min(kFieldFinalists, tried.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(is_large(shop) ? 1 : kFieldFinalists, tried.size()); ++i) {
     plans.push_back({shop.build(tried[i].lines, width, kFieldAngles), {}});
     plans.back().outcome = shop.judge(plans.back().built.route, 1, tried[i].outcome.what);
   }
