@@ -14,3 +14,20 @@ if(SWATHPLAN_SANITIZE)
     -fsanitize=${SWATHPLAN_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(swathplan_options INTERFACE -fsanitize=${SWATHPLAN_SANITIZE})
 endif()
+
+# Headers that are large and never change are parsed once for each target. ccache has to be told that it
+# may trust them.
+option(SWATHPLAN_PRECOMPILE "Precompile large foreign headers" ON)
+function(swathplan_precompile target)
+  if(NOT SWATHPLAN_PRECOMPILE)
+    return()
+  endif()
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+  # GCC 12 finds this in std::string itself once the header is precompiled (GCC bugs 105329, 105651).
+  target_compile_options(${target} PRIVATE -Wno-stringop-overflow -Wno-restrict)
+  if(CCACHE_PROGRAM)
+    target_compile_options(${target} PRIVATE -fpch-preprocess)
+    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
+      "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros;${CCACHE_PROGRAM}")
+  endif()
+endfunction()
