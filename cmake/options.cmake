@@ -23,8 +23,6 @@ function(swathplan_precompile target)
     return()
   endif()
   target_precompile_headers(${target} PRIVATE ${ARGN})
-  # GCC 12 finds this in std::string itself once the header is precompiled (GCC bugs 105329, 105651).
-  target_compile_options(${target} PRIVATE -Wno-stringop-overflow -Wno-restrict)
   if(CCACHE_PROGRAM)
     target_compile_options(${target} PRIVATE -fpch-preprocess)
     set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER

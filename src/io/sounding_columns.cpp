@@ -24,7 +24,7 @@ std::string plain_name(std::string_view field) {
   std::replace(name.begin(), name.end(), ' ', '_');
   for (const std::string_view unit :
        {"_m", "_deg", "_dd", "_degrees", "_metres", "_meters", "_ft"}) {
-    if (name.size() > unit.size() && name.ends_with(unit)) name.resize(name.size() - unit.size());
+    if (name.size() > unit.size() && name.ends_with(unit)) name.erase(name.size() - unit.size());
   }
   return name;
 }
