@@ -7,6 +7,7 @@
 #include "apps/adapt.h"
 #include "apps/commands.h"
 #include "mesh/error.h"
+#include "mesh/memory.h"
 
 namespace {
 
@@ -21,6 +22,7 @@ int complain(const char* what, int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  swathplan::keep_freed_memory();
   CLI::App app{"Offline hydrographic survey designer: plans routes and predicts their coverage."};
   app.set_version_flag("--version", SWATHPLAN_VERSION);
   app.require_subcommand(1);

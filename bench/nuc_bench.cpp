@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "mesh/memory.h"
 #include "planners/nuc.h"
 
 namespace {
@@ -40,8 +41,14 @@ void BM_Nuc(benchmark::State& state) {
   state.counters["ns_per_face"] = benchmark::Counter(
       faces * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(BM_Nuc)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Nuc)->Arg(10000)->Arg(100000)->Arg(1000000)->MinWarmUpTime(0.5)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  swathplan::keep_freed_memory();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -16,6 +16,7 @@
 #include "coverage/ray_scene_internal.h"
 #include "coverage/score.h"
 #include "mesh/survey_area.h"
+#include "mesh/memory.h"
 #include "mesh/synthetic.h"
 
 namespace {
@@ -202,6 +203,7 @@ void run_all(int threads) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_freed_memory();
   const int asked = argc > 1 ? std::atoi(argv[1]) : 0;
   if (asked > 0) {
     run_all(asked);

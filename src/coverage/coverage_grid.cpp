@@ -1,6 +1,7 @@
 #include "coverage/coverage_grid.h"
 
 #include <fmt/core.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,10 +43,11 @@ class RowCrossings {
   }
 
   template <class Fill>
+  // Rows in parallel: `fill` may write to its own row only.
   void for_each_span(Fill fill) const {
-    for (std::uint32_t r = 0; r < grid_.rows(); ++r) {
+    tbb::parallel_for(std::uint32_t{0}, grid_.rows(), [&](std::uint32_t r) {
       for (std::size_t k = first_[r]; k + 1 < first_[r + 1]; k += 2) fill(r, x_[k], x_[k + 1]);
-    }
+    });
   }
 
  private:
@@ -95,9 +97,11 @@ void mark_span(CoverageGrid& grid, std::uint32_t row, double x0, double x1) {
   const double first = std::ceil((x0 - kOnOutline - base) / grid.resolution_m() - 0.5);
   const double last = std::floor((x1 + kOnOutline - base) / grid.resolution_m() - 0.5);
   const double end = std::min(last + 1.0, static_cast<double>(grid.columns()));
-  for (double c = std::max(0.0, first); c < end; ++c) {
-    grid.words()[std::size_t{row} * grid.columns() + static_cast<std::size_t>(c)] |=
-        CoverageGrid::kInArea;
+  if (!(end > 0.0)) return;
+  std::uint32_t* const words = grid.words().data() + std::size_t{row} * grid.columns();
+  const auto stop = static_cast<std::size_t>(end);
+  for (auto c = static_cast<std::size_t>(std::max(0.0, first)); c < stop; ++c) {
+    words[c] |= CoverageGrid::kInArea;
   }
 }
 

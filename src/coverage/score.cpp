@@ -4,11 +4,13 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
 
 #include "coverage/ping_tracer_internal.h"
 #include "mesh/error.h"
@@ -20,7 +22,7 @@ namespace {
 // Pings of one task, and tasks between two counts: enough that the threads seldom wait for one
 // another, few enough that the pings in flight stay under some megabytes a thread.
 constexpr std::size_t kPingsPerBlock = 64;
-constexpr std::size_t kBlocksPerThread = 8;
+constexpr std::size_t kBlocksPerThread = 24;
 
 void check(const Route& route, const Sonar& sonar, const ScoreOptions& options) {
   if (const auto what = fault(route)) throw InvalidInput("the route cannot be scored: " + *what);
@@ -79,18 +81,28 @@ void tally_row(const std::uint32_t* words, std::size_t n, std::uint32_t* counts)
   std::copy(all.begin(), all.end(), counts);
 }
 
-Tally tally(const CoverageGrid& grid) {
-  Tally t;
-  const std::array<std::uint64_t*, 10> sums{&t.cells,    &t.hit,       &t.hit_2,
-                                            &t.hit_5,    &t.footprint, &t.logged_hit,
-                                            &t.logged_2, &t.logged_5,  &t.logged_footprint,
-                                            &t.several};
+using Sums = std::array<std::uint64_t, 10>;
+
+Sums sums_of_rows(const CoverageGrid& grid, std::uint32_t first, std::uint32_t end, Sums sums) {
   std::array<std::uint32_t, 10> counts{};
-  for (std::size_t row = 0; row < grid.rows(); ++row) {
+  for (std::size_t row = first; row < end; ++row) {
     tally_row(grid.words().data() + row * grid.columns(), grid.columns(), counts.data());
-    for (std::size_t k = 0; k < sums.size(); ++k) *sums[k] += counts[k];
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += counts[k];
   }
-  return t;
+  return sums;
+}
+
+Tally tally(const CoverageGrid& grid) {
+  const Sums s = tbb::parallel_reduce(
+      tbb::blocked_range<std::uint32_t>(0, grid.rows(), 64), Sums{},
+      [&](const auto& rows, const Sums& sums) {
+        return sums_of_rows(grid, rows.begin(), rows.end(), sums);
+      },
+      [](Sums a, const Sums& b) {
+        std::transform(a.begin(), a.end(), b.begin(), a.begin(), std::plus<>());
+        return a;
+      });
+  return {s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9]};
 }
 
 void fill_figures(const Tally& t, Score& score) {
@@ -110,11 +122,11 @@ void fill_figures(const Tally& t, Score& score) {
 class Scorer {
  public:
   Scorer(const Route& route, const ScoringGround& ground, const Sonar& sonar, double draft_m,
-         const ScoreOptions& options, CoverageGrid& grid)
+         const ScoreOptions& options, tbb::task_arena& arena, CoverageGrid& grid)
       : options_(options),
         grid_(grid),
         walker_(route, options.ping_spacing_m, options.noise),
-        arena_(thread_count(options)),
+        arena_(arena),
         bands_{bands_for(arena_.max_concurrency())},
         tracers_([&ground, &sonar, draft_m, &grid, bands = bands_, footprint = options.footprint] {
           return PingTracer(*ground.scene, sonar, draft_m, grid, bands, footprint);
@@ -164,7 +176,7 @@ class Scorer {
   const ScoreOptions& options_;
   CoverageGrid& grid_;
   PingWalker walker_;
-  tbb::task_arena arena_;
+  tbb::task_arena& arena_;
   Bands bands_;
   tbb::enumerable_thread_specific<PingTracer> tracers_;
   std::vector<std::vector<Ping>> pings_;
@@ -176,15 +188,20 @@ class Scorer {
 ScoredRoute score(const Route& route, const ScoringGround& ground, const Sonar& sonar,
                   const Vehicle& vehicle, const ScoreOptions& options) {
   check(route, sonar, options);
-  ScoredRoute result{{}, CoverageGrid(ground.survey_area, options.resolution_m)};
+  tbb::task_arena arena(thread_count(options));
+  ScoredRoute result = arena.execute([&] {
+    return ScoredRoute{{}, CoverageGrid(ground.survey_area, options.resolution_m)};
+  });
   Score& figures = result.score;
   figures.survey_area_m2 = area_m2(ground.survey_area);
   figures.footprint_width_m = footprint_width_m(sonar, options.resolution_m);
-  Scorer(route, ground, sonar, vehicle.draft_m, options, result.grid).run(figures);
-  fill_figures(tally(result.grid), figures);
+  Scorer(route, ground, sonar, vehicle.draft_m, options, arena, result.grid).run(figures);
+  arena.execute([&] {
+    fill_figures(tally(result.grid), figures);
+    figures.holidays = find_holidays(result.grid, {.smallest_m2 = options.holiday_m2});
+  });
   figures.route = route_figures(route, vehicle, ground.water, *ground.depths,
                                 figures.survey_area_m2, figures.footprint_width_m);
-  figures.holidays = find_holidays(result.grid, {.smallest_m2 = options.holiday_m2});
   return result;
 }
 

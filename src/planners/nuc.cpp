@@ -27,12 +27,16 @@ constexpr double kCrossingAt = 0.25;
 /// that pings each cell's width cannot fill again.
 constexpr double kCornerShare = 0.3;
 
+/// An arc that goes as far as it may ends this share short, so that rounding keeps it in its face.
+constexpr double kInside = 1.0 - 1e-6;
+
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The facets' corners in one array: the sub-facet at corner k of face f is first[f] + k.
 struct SubFacets {
   std::vector<std::uint32_t> first;
   std::vector<std::uint32_t> face;
+  std::vector<std::uint32_t> vertex;  ///< the mesh vertex at the corner
   std::vector<Vec2> centroid;
   std::vector<std::uint32_t> next;
 
@@ -45,6 +49,7 @@ struct SubFacets {
     }
     first.push_back(count);
     face.resize(count);
+    vertex.resize(count);
     centroid.resize(count);
     next.resize(count);
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) add_face(mesh, f);
@@ -57,13 +62,15 @@ struct SubFacets {
     const auto n = static_cast<std::uint32_t>(corners.size());
     const Vec2 centre = face_centroid(mesh, f);
     for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t k_after = k + 1 < n ? k + 1 : 0;
       const Vec2& here = mesh.vertices[corners[k]];
-      const Vec2& after = mesh.vertices[corners[(k + 1) % n]];
-      const Vec2& before = mesh.vertices[corners[(k + n - 1) % n]];
+      const Vec2& after = mesh.vertices[corners[k_after]];
+      const Vec2& before = mesh.vertices[corners[k > 0 ? k - 1 : n - 1]];
       const std::uint32_t i = first[f] + k;
       face[i] = f;
+      vertex[i] = corners[k];
       centroid[i] = 0.25 * (here + 0.5 * (here + after) + 0.5 * (here + before) + centre);
-      next[i] = first[f] + (k + 1) % n;
+      next[i] = first[f] + k_after;
     }
   }
 };
@@ -96,10 +103,10 @@ struct Crossing {
 
 Crossing crossing(const PlanarMesh& mesh, const SubFacets& sub, std::uint32_t i, std::uint32_t j) {
   const auto corners = [&](std::uint32_t s) {
-    const auto& face = mesh.faces[sub.face[s]];
-    const auto n = static_cast<std::uint32_t>(face.size());
-    const std::uint32_t k = s - sub.first[sub.face[s]];
-    return std::array<std::uint32_t, 3>{face[(k + n - 1) % n], face[k], face[(k + 1) % n]};
+    const std::uint32_t first = sub.first[sub.face[s]];
+    const std::uint32_t end = sub.first[sub.face[s] + 1];
+    return std::array<std::uint32_t, 3>{sub.vertex[s > first ? s - 1 : end - 1], sub.vertex[s],
+                                        sub.vertex[s + 1 < end ? s + 1 : first]};
   };
   // Both quads touch the same vertex. Faces run counter-clockwise, so the other end of the shared
   // edge follows it in one face and comes before it in the other.
@@ -120,28 +127,31 @@ Crossing crossing(const PlanarMesh& mesh, const SubFacets& sub, std::uint32_t i,
   return {0.5, u + kCrossingAt * along};
 }
 
-SkeletonCycle walk(const PlanarMesh& mesh, const SubFacets& sub, std::uint32_t start) {
+SkeletonCycle walk(const PlanarMesh& mesh, const SubFacets& sub, std::uint32_t start,
+                   std::size_t sub_facets) {
   SkeletonCycle cycle;
+  cycle.reserve(sub_facets + sub_facets / 16);  // few ways need a point on their edge
   std::uint32_t i = start;
-  double behind = 0.0;
+  float behind = 0.0F;
   do {
     const std::uint32_t f = sub.face[i];
     const std::uint32_t j = sub.next[i];
-    const double length = (sub.centroid[j] - sub.centroid[i]).norm();
-    SkeletonPoint point{sub.centroid[i], f, i - sub.first[f], true, length, behind};
+    const auto length = static_cast<float>((sub.centroid[j] - sub.centroid[i]).norm());
+    const auto corner = static_cast<std::uint16_t>(i - sub.first[f]);
+    SkeletonPoint point{sub.centroid[i], f, corner, true, length, behind};
     behind = length;
     if (sub.face[j] == f) {
       cycle.push_back(point);
     } else {
       const Crossing over = crossing(mesh, sub, i, j);
-      point.ahead_m = over.share * length;
-      behind = (1.0 - over.share) * length;
+      point.ahead_m = static_cast<float>(over.share) * length;
+      behind = length - point.ahead_m;
       if (over.detour) {
         // Led over a point of the edge: no arc may cut that corner.
-        point.ahead_m = (*over.detour - point.position).norm();
-        behind = (sub.centroid[j] - *over.detour).norm();
+        point.ahead_m = static_cast<float>((*over.detour - point.position).norm());
+        behind = static_cast<float>((sub.centroid[j] - *over.detour).norm());
         cycle.push_back(point);
-        cycle.push_back({*over.detour, f, i - sub.first[f], false, 0.0, 0.0});
+        cycle.push_back({*over.detour, f, corner, false, 0.0F, 0.0F});
       } else {
         cycle.push_back(point);
       }
@@ -209,9 +219,13 @@ std::vector<SkeletonCycle> nuc_skeleton(const PlanarMesh& mesh,
     parent[std::max(a, b)] = std::min(a, b);
     splice(edges[i], sub);
   }
+  std::vector<std::uint32_t> sub_facets(mesh.faces.size(), 0);
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+    sub_facets[root_of(parent, f)] += sub.first[f + 1] - sub.first[f];
+  }
   std::vector<SkeletonCycle> cycles;
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-    if (parent[f] == f) cycles.push_back(walk(mesh, sub, sub.first[f]));
+    if (parent[f] == f) cycles.push_back(walk(mesh, sub, sub.first[f], sub_facets[f]));
   }
   return cycles;
 }
@@ -227,7 +241,8 @@ std::vector<SkeletonPoint> rounded(const std::vector<SkeletonPoint>& p, double r
     const Vec2 in = p[i].position - p[i - 1].position;
     const Vec2 out = p[i + 1].position - p[i].position;
     const double turn = std::atan2(cross(in, out), in.dot(out));
-    const double most = std::min({0.5 * in.norm(), 0.5 * out.norm(), p[i].ahead_m, p[i].behind_m});
+    const double most = kInside * std::min({0.5 * in.norm(), 0.5 * out.norm(), double{p[i].ahead_m},
+                                            double{p[i].behind_m}});
     const double reach =
         std::max(kCornerShare * most, std::min(most, radius_m * std::tan(0.5 * std::abs(turn))));
     if (std::abs(turn) < kStraight || !(reach > 0.0)) {

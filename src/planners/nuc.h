@@ -13,10 +13,10 @@ namespace swathplan {
 struct SkeletonPoint {
   Vec2 position = Vec2::Zero();
   std::uint32_t face = 0;
-  std::uint32_t corner = 0;  ///< the sub-facet is the quad at this corner of the face
+  std::uint16_t corner = 0;  ///< the sub-facet is the quad at this corner of the face
   bool sub_facet = true;     ///< false for a point on an edge
-  double ahead_m = 0.0;      ///< of the way to the next point, what lies in this face
-  double behind_m = 0.0;     ///< of the way from the point before, what lies in this face
+  float ahead_m = 0.0F;      ///< of the way to the next point, what lies in this face
+  float behind_m = 0.0F;     ///< of the way from the point before, what lies in this face
 };
 
 /// A closed path through every sub-facet of one connected part of a mesh.
@@ -30,7 +30,7 @@ using SkeletonCycle = std::vector<SkeletonPoint>;
 /// (3) no edge that is not open is crossed, a tree edge is crossed once in and once out; (4) one
 /// cycle per part that open edges connect, in the order of their lowest face.
 /// Degenerate: a single face gives its own cycle; an empty mesh none. Cost: O(n) time and memory
-/// (linked splice; the tree is found breadth-first).
+/// (linked splice).
 /// Method: [yang-nuc], [larrazabal-mdnuc] section III.A.
 [[nodiscard]] std::vector<SkeletonCycle> nuc_skeleton(const PlanarMesh& mesh,
                                                       const std::vector<SharedEdge>& edges,
