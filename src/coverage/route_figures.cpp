@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "mesh/area_query.h"
-#include "mesh/path_crossings.h"
+#include "mesh/path_meetings.h"
 
 namespace swathplan {
 
@@ -141,7 +141,10 @@ RouteFigures route_figures(const Route& route, const Vehicle& vehicle, const Are
   }
   const std::vector<Vec2> points = distinct_points(route);
   add_turns(points, vehicle.turn_radius_m, figures);
-  figures.self_crossings = self_crossings(points);
+  const PathMeetings meetings = path_meetings(points);
+  figures.self_crossings = meetings.crossings;
+  figures.shared_stretches = meetings.shared_stretches;
+  figures.shared_m = meetings.shared_m;
   figures.outside_water_m = outside_m(points, water);
   figures.min_under_keel_m = least_depth(points, depths) - vehicle.draft_m;
   return figures;

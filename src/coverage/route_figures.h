@@ -25,10 +25,12 @@ struct RouteFigures {
   /// and begins in the middle of the shorter one. On waypoints of a curve it is the curve's radius.
   /// Infinite for a straight route, 0 where the route turns back on itself.
   double min_turn_radius_m = 0.0;
-  std::size_t self_crossings = 0;  ///< see mesh/path_crossings.h
-  double outside_water_m = 0.0;    ///< path outside the water or inside no-go
-  double min_under_keel_m = 0.0;   ///< least depth below the path less the draft; infinite: no data
-  double duration_s = 0.0;         ///< length over each leg's speed
+  std::size_t self_crossings = 0;    ///< places, see mesh/path_meetings.h
+  std::size_t shared_stretches = 0;  ///< places where the path runs along itself
+  double shared_m = 0.0;             ///< metres sailed along earlier stretches
+  double outside_water_m = 0.0;      ///< path outside the water or inside no-go
+  double min_under_keel_m = 0.0;  ///< least depth below the path less the draft; infinite: no data
+  double duration_s = 0.0;        ///< length over each leg's speed
   std::map<std::string, double> duration_by_kind_s;
   std::map<int, double> duration_by_line_s;  ///< line number -> seconds
   std::optional<double> energy_wh;  ///< of the duration, where the vehicle's power is known

@@ -57,6 +57,8 @@ void add_route(Json& json, const RouteFigures& route) {
   json["total_turning_deg"] = route.total_turning_deg;
   json["min_turn_radius_m"] = route.min_turn_radius_m;
   json["self_crossings"] = route.self_crossings;
+  json["shared_stretches"] = route.shared_stretches;
+  json["shared_m"] = route.shared_m;
   json["outside_water_m"] = route.outside_water_m;
   json["min_under_keel_m"] = route.min_under_keel_m;
 }

@@ -3,8 +3,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
+
+#include "mesh/segment_pairs_internal.h"
 
 namespace swathplan {
 namespace {
@@ -90,35 +90,6 @@ class Crossings {
   const std::vector<Vec2>& p_;
 };
 
-struct Item {
-  std::int64_t column, row;
-  std::uint32_t segment;
-  [[nodiscard]] auto key() const { return std::tuple(row, column, segment); }
-};
-
-// Buckets that a segment meets, a hair more against rounding.
-void fill_buckets(const Vec2& a, const Vec2& b, double cell, std::uint32_t segment,
-                  std::vector<Item>& items) {
-  constexpr double kHair = 1e-6;
-  const Vec2 low = (a.y() <= b.y() ? a : b) / cell;
-  const Vec2 high = (a.y() <= b.y() ? b : a) / cell;
-  const double per_y = high.y() > low.y() ? (high.x() - low.x()) / (high.y() - low.y()) : 0.0;
-  const auto index = [](double x) { return static_cast<std::int64_t>(std::floor(x)); };
-  for (std::int64_t row = index(low.y() - kHair); row <= index(high.y() + kHair); ++row) {
-    double x0 = low.x();
-    double x1 = high.x();
-    if (high.y() - low.y() > kHair) {
-      const auto y = static_cast<double>(row);
-      x0 = low.x() + per_y * (std::clamp(y - kHair, low.y(), high.y()) - low.y());
-      x1 = low.x() + per_y * (std::clamp(y + 1.0 + kHair, low.y(), high.y()) - low.y());
-    }
-    const std::int64_t last = index(std::max(x0, x1) + kHair);
-    for (std::int64_t column = index(std::min(x0, x1) - kHair); column <= last; ++column) {
-      items.push_back({column, row, segment});
-    }
-  }
-}
-
 }  // namespace
 
 std::size_t self_crossings(const std::vector<Vec2>& path) {
@@ -127,36 +98,9 @@ std::size_t self_crossings(const std::vector<Vec2>& path) {
     if (points.empty() || points.back() != p) points.push_back(p);
   }
   if (points.size() < 4) return 0;
-  double length = 0.0;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) length += (points[i + 1] - points[i]).norm();
-  // Buckets of the mean segment's length: a few entries a segment, long ones included.
-  const double cell = length / static_cast<double>(points.size() - 1);
-  std::vector<Item> items;
-  for (std::uint32_t i = 0; i + 1 < points.size(); ++i) {
-    fill_buckets(points[i] - points[0], points[i + 1] - points[0], cell, i, items);
-  }
-  std::sort(items.begin(), items.end(),
-            [](const Item& x, const Item& y) { return x.key() < y.key(); });
   const Crossings crossings(points);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> found;  // one entry per crossing and bucket
-  std::size_t begin = 0;
-  for (std::size_t end = 1; end <= items.size(); ++end) {
-    const bool same = end < items.size() && items[end].row == items[begin].row &&
-                      items[end].column == items[begin].column;
-    if (same) continue;
-    for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t j = i + 1; j < end; ++j) {
-        if (crossings.of_pair(items[i].segment, items[j].segment) > 0) {
-          found.emplace_back(items[i].segment, items[j].segment);
-        }
-      }
-    }
-    begin = end;
-  }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
   std::size_t count = 0;
-  for (const auto& [i, j] : found) count += crossings.of_pair(i, j);
+  for (const auto& [i, j] : internal::segment_pairs(points, 0.0)) count += crossings.of_pair(i, j);
   return count;
 }
 
