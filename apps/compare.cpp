@@ -42,11 +42,12 @@ void run(const CompareCommand& command) {
       for (const std::string& note : survey.plan.notes) {
         if (!command.output.quiet) fmt::print(stderr, "note: {}: {}\n", survey.label, note);
       }
+      if (!command.output.quiet) fmt::print(stderr, "{}", choices_table(survey.plan));
     }
   }
   write_text_atomically(folder / "compare.json", json.dump(2) + "\n");
   write_survey_report(folder / "report.html", command.site.file.filename().string(), surveys, *site,
-                      provenance);
+                      command.survey, provenance);
   if (command.output.json) {
     fmt::print("{}\n", json.dump(2));
   } else if (!command.output.quiet) {

@@ -61,6 +61,9 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
                                survey.plan.regions, survey.plan.gates, fans(survey.plan));
   facts.sonar = sonar_of(options);
   facts.vehicle = vehicle_of(options);
+  facts.choices = survey.plan.choices;
+  facts.chosen = survey.plan.chosen;
+  facts.chosen_why = survey.plan.chosen_why;
   facts.notes = survey.plan.notes;
   facts.notes.insert(facts.notes.end(), site.notes.begin(), site.notes.end());
   write_plan_json(folder / "plan.json", facts, frame, provenance);
@@ -71,7 +74,7 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
 
 void write_survey_report(const std::filesystem::path& file, const std::string& title,
                          const std::vector<PlannedSurvey>& surveys, const Site& site,
-                         const Provenance& provenance) {
+                         const SurveyOptions& options, const Provenance& provenance) {
   ReportSite report;
   report.title = title;
   report.seafloor = &site.seafloor();
@@ -79,6 +82,7 @@ void write_survey_report(const std::filesystem::path& file, const std::string& t
   report.survey_area = site.survey_area;
   report.water = site.water;
   report.no_go = site.no_go;
+  report.vehicle = vehicle_of(options);
   report.provenance = provenance;
   if (const Plan* plan = plan_with_regions(surveys)) add_regions(*plan, report);
   std::vector<ReportPlan> plans;
@@ -86,7 +90,7 @@ void write_survey_report(const std::filesystem::path& file, const std::string& t
     std::vector<std::string> notes = s.plan.notes;
     notes.insert(notes.end(), site.notes.begin(), site.notes.end());
     plans.push_back({s.label, &s.plan.route, &s.scored.score, &s.scored.grid, s.planning_seconds,
-                     std::move(notes)});
+                     std::move(notes), s.plan.choices, s.plan.chosen, s.plan.chosen_why});
   }
   write_report(file, report, plans);
 }
@@ -105,6 +109,18 @@ std::string table(const std::vector<PlannedSurvey>& surveys) {
         score.route.length_m, score.route.length_ratio, score.overlap, score.route.turns,
         score.holidays.list.size(), score.route.outside_water_m, score.route.tight_turn_m,
         score.route.infeasible_legs, score.route.duration_s / 3600.0);
+  }
+  return text;
+}
+
+std::string choices_table(const Plan& plan) {
+  if (plan.choices.empty()) return {};
+  std::string text = fmt::format("choices ({}):\n", plan.chosen_why);
+  for (std::size_t i = 0; i < plan.choices.size(); ++i) {
+    const Outcome& o = plan.choices[i];
+    text += fmt::format("{} {:>6.2f} % hit over {:>7.0f} m ({:.2f} ideal lengths, {} turns): {}\n",
+                        i == plan.chosen ? '*' : ' ', o.hit_pct, o.length_m, o.length_ratio,
+                        o.turns, o.what);
   }
   return text;
 }

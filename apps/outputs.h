@@ -14,10 +14,13 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
 /// Writes the report over one or several surveys.
 void write_survey_report(const std::filesystem::path& file, const std::string& title,
                          const std::vector<PlannedSurvey>& surveys, const Site& site,
-                         const Provenance& provenance);
+                         const SurveyOptions& options, const Provenance& provenance);
 
 /// The table that `plan`, `compare` and `score` print.
 [[nodiscard]] std::string table(const std::vector<PlannedSurvey>& surveys);
+
+/// The choices that a planner had, the picked one marked; empty if it had none.
+[[nodiscard]] std::string choices_table(const Plan& plan);
 
 /// Import notes and warnings to stderr.
 void print_notes(const Site& site, bool quiet);

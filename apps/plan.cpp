@@ -32,10 +32,11 @@ void run(const PlanCommand& command) {
   write_survey(folder, surveys[0], *site, command.survey, provenance);
   const std::string title =
       fmt::format("{}: {}", command.site.file.filename().string(), chosen.label);
-  write_survey_report(folder / "report.html", title, surveys, *site, provenance);
+  write_survey_report(folder / "report.html", title, surveys, *site, command.survey, provenance);
   for (const std::string& note : surveys[0].plan.notes) {
     if (!command.output.quiet) fmt::print(stderr, "note: {}\n", note);
   }
+  if (!command.output.quiet) fmt::print(stderr, "{}", choices_table(surveys[0].plan));
   if (command.output.json) {
     fmt::print("{}", score_json(chosen.name, surveys[0].scored.score, provenance));
   } else if (!command.output.quiet) {

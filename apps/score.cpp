@@ -91,7 +91,7 @@ void run(const ScoreCommand& command) {
   write_survey(folder, surveys[0], *site, command.survey, provenance);
   write_survey_report(folder / "report.html",
                       fmt::format("{}: {}", command.site.file.filename().string(), name), surveys,
-                      *site, provenance);
+                      *site, command.survey, provenance);
   for (const std::string& note : route.notes) {
     if (!command.output.quiet) fmt::print(stderr, "note: {}\n", note);
   }

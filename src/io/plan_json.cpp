@@ -51,6 +51,21 @@ Json gates_json(const PlanFacts& facts, const Frame& frame) {
   return list;
 }
 
+Json choices_json(const PlanFacts& facts) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < facts.choices.size(); ++i) {
+    const Outcome& o = facts.choices[i];
+    list.push_back({{"coverage_hit_pct", o.hit_pct},
+                    {"length_ratio", o.length_ratio},
+                    {"length_m", o.length_m},
+                    {"turns", o.turns},
+                    {"duration_s", o.duration_s},
+                    {"made_of", o.what},
+                    {"picked", i == facts.chosen}});
+  }
+  return list;
+}
+
 Json sonar_json(const Sonar& s) {
   return {{"name", s.name},
           {"beams", s.beams},
@@ -112,6 +127,8 @@ std::string plan_json(const PlanFacts& facts, const Frame& frame, const Provenan
   json["gates"] = gates_json(facts, frame);
   json["blocked_edges"] = Json::array();
   for (const auto& e : facts.blocked_edges) json["blocked_edges"].push_back(edge(e, frame));
+  json["choices"] = choices_json(facts);
+  json["picked_because"] = facts.choices.empty() ? Json(nullptr) : Json(facts.chosen_why);
   json["notes"] = facts.notes;
   return internal::json_text(json);
 }

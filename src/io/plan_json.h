@@ -9,6 +9,7 @@
 #include "coverage/vehicle.h"
 #include "io/provenance.h"
 #include "mesh/gates.h"
+#include "planners/pareto.h"
 
 namespace swathplan {
 
@@ -37,6 +38,9 @@ struct PlanFacts {
   std::vector<std::pair<Vec2, Vec2>> blocked_edges;  ///< local metres
   Sonar sonar;
   Vehicle vehicle;
+  std::vector<Outcome> choices;  ///< that the planner had, and which it took and why
+  std::size_t chosen = 0;
+  std::string chosen_why;
   std::vector<std::string> notes;
 };
 

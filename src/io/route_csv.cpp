@@ -19,6 +19,7 @@ namespace {
 using internal::CsvTable;
 using internal::decimal;
 
+constexpr const char* kInfeasible = "infeasible";
 constexpr int kMicrometre = 6;    // decimals of a metre
 constexpr int kLonLatDigits = 9;  // decimals of a degree: 0.1 mm
 constexpr int kAngleDigits = 6;   // decimals of a degree: 2 mm at 100 km
@@ -31,14 +32,14 @@ std::vector<Vec2> positions(const Route& route) {
 }
 
 std::string row(std::size_t seq, const Waypoint& w, const Vec2& file, const Vec2* lonlat) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\r\n", seq,
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", seq,
                      w.line ? std::to_string(*w.line) : "", name(w.kind), w.log ? 1 : 0,
                      decimal(file.x(), kMicrometre), decimal(file.y(), kMicrometre),
                      lonlat != nullptr ? decimal(lonlat->x(), kLonLatDigits) : "",
                      lonlat != nullptr ? decimal(lonlat->y(), kLonLatDigits) : "",
                      w.fan ? decimal(w.fan->port.deg(), kAngleDigits) : "",
                      w.fan ? decimal(w.fan->starboard.deg(), kAngleDigits) : "", w.speed_mps,
-                     w.region ? std::to_string(*w.region) : "");
+                     w.region ? std::to_string(*w.region) : "", w.feasible ? "" : kInfeasible);
 }
 
 /// Reads rows of a table by the names of their columns.
@@ -90,7 +91,8 @@ class Columns {
 };
 
 struct RouteColumns {
-  std::optional<std::size_t> seq, line, kind, log, x, y, lon, lat, port, stbd, speed, region;
+  std::optional<std::size_t> seq, line, kind, log, x, y, lon, lat, port, stbd, speed, region,
+      status;
 };
 
 RouteColumns route_columns(const Columns& c) {
@@ -105,7 +107,8 @@ RouteColumns route_columns(const Columns& c) {
           .port = c.find({"port_deg"}),
           .stbd = c.find({"stbd_deg"}),
           .speed = c.find({"speed_mps"}),
-          .region = c.find({"region"})};
+          .region = c.find({"region"}),
+          .status = c.find({"status"})};
 }
 
 std::optional<FanAngles> fan_of(const CsvTable::Row& row, const Columns& c,
@@ -257,7 +260,8 @@ std::string route_csv(const Route& route, const Frame& frame) {
   const std::vector<Vec2> lonlat =
       conversion.known() ? conversion.from_local(local) : std::vector<Vec2>();
   std::string text =
-      "seq,line,kind,log,x_m,y_m,lon_deg,lat_deg,port_deg,stbd_deg,speed_mps,region\r\n";
+      "seq,line,kind,log,x_m,y_m,lon_deg,lat_deg,port_deg,stbd_deg,speed_mps,region,status"
+      "\r\n";
   for (std::size_t i = 0; i < local.size(); ++i) {
     text +=
         row(i, route.waypoints[i], frame.to_file(local[i]), lonlat.empty() ? nullptr : &lonlat[i]);
@@ -289,7 +293,9 @@ ImportedRoute parse_route_csv(std::string_view text, const std::string& name, co
          .line = c.whole(row, columns.line),
          .fan = columns.port ? fan_of(row, c, columns) : defaults.fan,
          .speed_mps = speed_of(row, c, columns, defaults.speed_mps),
-         .region = c.whole(row, columns.region)});
+         .region = c.whole(row, columns.region),
+         // Other programs may say other things of a row.
+         .feasible = lower(c.text(row, columns.status)) != kInfeasible});
   }
   add_notes(imported, columns, table, defaults);
   if (const auto why = fault(imported.route)) {

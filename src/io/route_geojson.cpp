@@ -46,6 +46,7 @@ Json properties(const Route& route, const Leg& leg, std::size_t index) {
                 [](const Waypoint& at) { return angle(at.fan, &FanAngles::starboard); });
   add_per_point(p, "speed_mps", route, leg, [](const Waypoint& at) { return Json(at.speed_mps); });
   p["region"] = w.region ? Json(*w.region) : Json(nullptr);
+  p["status"] = w.feasible ? Json(nullptr) : Json("infeasible");
   return p;
 }
 

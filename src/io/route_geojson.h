@@ -10,7 +10,8 @@
 namespace swathplan {
 
 /// The route as GeoJSON (RFC 7946), one LineString feature per leg with the properties of its
-/// waypoints: leg, line, kind, log, port_deg, stbd_deg, speed_mps, region. Where the fan or the
+/// waypoints: leg, line, kind, log, port_deg, stbd_deg, speed_mps, region, status
+/// (`infeasible` or null). Where the fan or the
 /// speed changes within a leg, `port_deg_at_points` and its likes list it per point.
 /// Without a CRS the coordinates are those of the input file and a `local_frame` member says so.
 [[nodiscard]] std::string route_geojson(const Route& route, const Frame& frame);

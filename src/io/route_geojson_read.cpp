@@ -167,6 +167,12 @@ class Properties {
     return line_.properties.contains("port_deg") || line_.properties.contains("stbd_deg");
   }
 
+  /// Other programs may say other things of a line.
+  [[nodiscard]] bool infeasible() const {
+    const auto status = line_.properties.find("status");
+    return status != line_.properties.end() && *status == "infeasible";
+  }
+
   [[nodiscard]] Waypoint waypoint(std::size_t point) const {
     return {.position = line_.points[point],
             .kind = kind(),
@@ -174,7 +180,8 @@ class Properties {
             .line = whole("line"),
             .fan = names_fan() ? fan(point) : defaults_.fan,
             .speed_mps = speed(point),
-            .region = whole("region")};
+            .region = whole("region"),
+            .feasible = !infeasible()};
   }
 
  private:

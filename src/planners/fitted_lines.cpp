@@ -153,12 +153,6 @@ std::vector<std::size_t> choices_of(const std::vector<Finished>& plans) {
   return kept;
 }
 
-std::string said(const Outcome& o) {
-  return fmt::format(
-      "choice: {:.2f} % of cells hit over {:.0f} m ({:.2f} ideal lengths, {} turns): {}", o.hit_pct,
-      o.length_m, o.length_ratio, o.turns, o.what);
-}
-
 /// Without a simulator: lines along the long side, as many as W asks for.
 Plan unseen_plan(LineWorkshop& shop) {
   StraightCandidate c;
@@ -198,12 +192,12 @@ Plan plan_fitted_lines(const PlanningGround& ground, const PlanOptions& options)
   for (const std::size_t i : kept) plan.choices.push_back(plans[i].outcome);
   const Pick picked = pick(plan.choices, options.goal);
   plan.chosen = picked.index;
+  plan.chosen_why = picked.why;
   Finished& best = plans[kept[picked.index]];
   plan.route = std::move(best.built.route);
   plan.notes = std::move(best.built.notes);
   plan.notes.push_back(fmt::format("of {} choices, {} was picked: {}", plan.choices.size(),
                                    best.outcome.what, picked.why));
-  for (const Outcome& o : plan.choices) plan.notes.push_back(said(o));
   return plan;
 }
 

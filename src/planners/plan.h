@@ -84,6 +84,7 @@ struct Plan {
   /// which of them the route is. Empty for other planners.
   std::vector<Outcome> choices;
   std::size_t chosen = 0;
+  std::string chosen_why;  ///< half a sentence
 };
 
 /// W = beams x resolution, metres.

@@ -89,52 +89,113 @@ double length_of(const std::vector<Vec2>& points) {
   return sum;
 }
 
+/// Writes the line anew with its tight turns mended, from its beginning to its end.
+class Rewriter {
+ public:
+  Rewriter(const LinePoses& line, double radius, const Mender& mender)
+      : line_(line), radius_(radius), mender_(mender) {}
+
+  [[nodiscard]] Steering rewritten() {
+    const auto& along = line_.along();
+    for (std::size_t i = 1; i + 1 < line_.points().size(); ++i) {
+      if (along[i] < done_ || !tight(i)) continue;
+      double first = along[i];
+      Mend mend = mender_.best(first, first, done_, line_.length_m());
+      if (mend.points.empty()) mend = with_those_that_follow(i);
+      if (last_ && (mend.points.empty() || is_loop(mend))) {
+        // The turn before may have been left too late for this one: both in one.
+        Mend joint = mender_.best(last_->tight_m, first, last_->done_m, line_.length_m());
+        if (joint.cost < last_->cost + mend.cost) {
+          first = last_->tight_m;
+          mend = std::move(joint);
+          take_back();
+        }
+      }
+      mend.points.empty() ? leave(along[i]) : write(first, mend);
+    }
+    copy(line_, done_, line_.length_m(), result_.points);
+    return std::move(result_);
+  }
+
+ private:
+  /// The mend that was written last, and what stood before it.
+  struct Written {
+    double tight_m, done_m, cost, added_m;
+    std::size_t points;
+    bool loop;
+  };
+
+  [[nodiscard]] bool tight(std::size_t i) const {
+    return line_.radius_at(i) < radius_ * (1.0 - kRadiusDust);
+  }
+  [[nodiscard]] static double added_m(const Mend& mend) {
+    return length_of(mend.points) - (mend.to - mend.from);
+  }
+  [[nodiscard]] bool is_loop(const Mend& mend) const {
+    return added_m(mend) > std::numbers::pi * radius_;
+  }
+
+  /// One mend for turn i together with the tight turns that follow closely.
+  [[nodiscard]] Mend with_those_that_follow(std::size_t i) const {
+    const auto& along = line_.along();
+    std::size_t j = i;
+    for (std::size_t k = i + 1; k + 1 < along.size() && along[k] < along[i] + 4.0 * radius_; ++k) {
+      if (tight(k)) j = k;
+    }
+    return j == i ? Mend{} : mender_.best(along[i], along[j], done_, line_.length_m());
+  }
+
+  void leave(double along) {
+    copy(line_, done_, along, result_.points);
+    if (!result_.points.empty()) result_.points.back().tight = true;
+    done_ = std::nextafter(along, std::numeric_limits<double>::infinity());
+    ++result_.left;
+    last_.reset();
+  }
+
+  void write(double tight_m, const Mend& mend) {
+    const bool loop = is_loop(mend);
+    last_ = {tight_m, done_, mend.cost, added_m(mend), result_.points.size(), loop};
+    copy(line_, done_, mend.from, result_.points);
+    while (!result_.points.empty() &&
+           (result_.points.back().position - mend.points.front()).norm() <
+               LinePoses::kCoincidentM) {
+      result_.points.pop_back();
+    }
+    for (std::size_t k = 0; k < mend.points.size(); ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(mend.points.size() - 1);
+      const auto place = line_.at(mend.from + share * (mend.to - mend.from));
+      result_.points.push_back({mend.points[k], place.source, false});
+    }
+    done_ = std::nextafter(mend.to, std::numeric_limits<double>::infinity());
+    ++result_.mended;
+    result_.loops += loop ? 1 : 0;
+    result_.added_m += last_->added_m;
+  }
+
+  void take_back() {
+    result_.points.resize(last_->points);
+    done_ = last_->done_m;
+    --result_.mended;
+    result_.loops -= last_->loop ? 1 : 0;
+    result_.added_m -= last_->added_m;
+  }
+
+  const LinePoses& line_;
+  double radius_;
+  const Mender& mender_;
+  Steering result_;
+  double done_ = 0.0;  // what is written already
+  std::optional<Written> last_;
+};
+
 }  // namespace
 
 Steering steered(const std::vector<Vec2>& given, double radius_m, const Connector& connector,
                  const std::function<bool(const std::vector<Vec2>&)>& allowed) {
-  Steering result;
   const LinePoses line(given);
-  const auto& along = line.along();
   const Mender mender(line, radius_m, connector, allowed);
-  double done = 0.0;  // what is written already
-  for (std::size_t i = 1; i + 1 < line.points().size(); ++i) {
-    if (along[i] < done || line.radius_at(i) >= radius_m * (1.0 - kRadiusDust)) continue;
-    Mend mend = mender.best(along[i], along[i], done, line.length_m());
-    if (mend.points.empty()) {
-      // Perhaps together with the tight turns that follow closely.
-      std::size_t j = i;
-      for (std::size_t k = i + 1; k + 1 < along.size() && along[k] < along[i] + 4.0 * radius_m;
-           ++k) {
-        if (line.radius_at(k) < radius_m * (1.0 - kRadiusDust)) j = k;
-      }
-      if (j != i) mend = mender.best(along[i], along[j], done, line.length_m());
-    }
-    if (mend.points.empty()) {
-      copy(line, done, along[i], result.points);
-      if (!result.points.empty()) result.points.back().tight = true;
-      done = std::nextafter(along[i], std::numeric_limits<double>::infinity());
-      ++result.left;
-      continue;
-    }
-    copy(line, done, mend.from, result.points);
-    while (!result.points.empty() &&
-           (result.points.back().position - mend.points.front()).norm() < LinePoses::kCoincidentM) {
-      result.points.pop_back();
-    }
-    const double added = length_of(mend.points) - (mend.to - mend.from);
-    for (std::size_t k = 0; k < mend.points.size(); ++k) {
-      const double share = static_cast<double>(k) / static_cast<double>(mend.points.size() - 1);
-      const auto place = line.at(mend.from + share * (mend.to - mend.from));
-      result.points.push_back({mend.points[k], place.source, false});
-    }
-    done = std::nextafter(mend.to, std::numeric_limits<double>::infinity());
-    ++result.mended;
-    if (added > std::numbers::pi * radius_m) ++result.loops;
-    result.added_m += added;
-  }
-  copy(line, done, line.length_m(), result.points);
-  return result;
+  return Rewriter(line, radius_m, mender).rewritten();
 }
 
 }  // namespace swathplan

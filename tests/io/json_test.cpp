@@ -28,6 +28,8 @@ TEST(ScoreJson, HoldsEveryFigureUnderItsName) {
   s.score.route.min_under_keel_m = -0.25;
   s.score.route.outside_water_m = 7.5;
   s.score.route.self_crossings = 4;
+  s.score.route.shared_stretches = 2;
+  s.score.route.shared_m = 55.5;
   const json read = json::parse(score_json("nuc", s.score, test::provenance()));
   EXPECT_EQ(read["planner"], "nuc");
   EXPECT_EQ(read["coverage_hit_pct"], s.score.all.hit_pct);
@@ -40,6 +42,8 @@ TEST(ScoreJson, HoldsEveryFigureUnderItsName) {
   EXPECT_EQ(read["pings"], 12);
   EXPECT_EQ(read["rays"], 3072);
   EXPECT_EQ(read["self_crossings"], 4);
+  EXPECT_EQ(read["shared_stretches"], 2);
+  EXPECT_EQ(read["shared_m"], 55.5);
   EXPECT_EQ(read["outside_water_m"], 7.5);
   EXPECT_EQ(read["min_under_keel_m"], -0.25);
   EXPECT_EQ(read["turns"], s.score.route.turns);
@@ -120,6 +124,35 @@ TEST(PlanJson, HoldsRegionsGatesAndBlockedEdgesInFileCoordinates) {
   EXPECT_EQ(read["vehicle"]["draft_m"], 0.3);
   EXPECT_EQ(read["version"], "0.1.0");
   EXPECT_TRUE(read["crs_wkt"].is_null());
+}
+
+TEST(PlanJson, HoldsTheChoicesThatThePlannerHad) {
+  PlanFacts facts;
+  facts.planner = "fitted-lines";
+  facts.choices = {{.length_ratio = 1.5,
+                    .hit_pct = 95.0,
+                    .turns = 20,
+                    .length_m = 3000.0,
+                    .duration_s = 1500.0,
+                    .what = "9 straight rows"},
+                   {.length_ratio = 2.0,
+                    .hit_pct = 99.0,
+                    .turns = 30,
+                    .length_m = 4000.0,
+                    .duration_s = 2000.0,
+                    .what = "11 straight rows"}};
+  facts.chosen = 1;
+  facts.chosen_why = "the most coverage";
+  const json read = json::parse(plan_json(facts, {}, test::provenance()));
+  ASSERT_EQ(read["choices"].size(), 2U);
+  EXPECT_EQ(read["choices"][0],
+            json::parse(R"({"coverage_hit_pct": 95.0, "length_ratio": 1.5, "length_m": 3000.0,
+                            "turns": 20, "duration_s": 1500.0, "made_of": "9 straight rows",
+                            "picked": false})"));
+  EXPECT_EQ(read["choices"][1]["picked"], true);
+  EXPECT_EQ(read["picked_because"], "the most coverage");
+  facts.choices.clear();
+  EXPECT_TRUE(json::parse(plan_json(facts, {}, test::provenance()))["picked_because"].is_null());
 }
 
 }  // namespace

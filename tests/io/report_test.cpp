@@ -46,14 +46,23 @@ struct Sample {
             .survey_area = area,
             .water = area,
             .no_go = {},
+            .vehicle = {},
             .regions = {{.outline = area, .band = 0, .mean_depth_m = 35.0, .opening_deg = 40.0}},
             .gates = {{{0, 0}, {0, 10}}},
             .blocked_edges = {{{0, 10}, {0, 20}}},
             .provenance = test::provenance()};
   }
   [[nodiscard]] std::vector<ReportPlan> plans() const {
-    return {{"back-and-forth", &routes[0], &scores[0], &grids[0], 0.25, {"A note."}},
-            {"</script><script>alert(1)</script>", &routes[1], &scores[1], &grids[1], 1.5, {}}};
+    return {{"back-and-forth", &routes[0], &scores[0], &grids[0], 0.25, {"A note."}, {}, 0, {}},
+            {"</script><script>alert(1)</script>",
+             &routes[1],
+             &scores[1],
+             &grids[1],
+             1.5,
+             {},
+             {},
+             0,
+             {}}};
   }
 };
 
@@ -137,6 +146,44 @@ TEST(Report, PicturesShowTheGridAndTheDepths) {
   EXPECT_EQ(box[2].get<int>() - box[0].get<int>(), 8000);
 }
 
+TEST(Report, SaysWhereAPlanCannotBeSailedAndWhy) {
+  Sample s;
+  s.routes[0].waypoints[1].feasible = false;
+  ReportSite site = s.site();
+  site.water = {{.outer = {{-40, -40}, {30, -40}, {30, 40}, {-40, 40}}, .holes = {}}};
+  const json data = data_of(report_html(site, s.plans()));
+  const json& found = data["plans"][0]["violations"];
+  ASSERT_EQ(found["count"], found["list"].size());
+  const json& leg = found["list"][0];
+  EXPECT_EQ(leg["what"], "infeasible");
+  EXPECT_NEAR(leg["length_m"].get<double>(), 25.6, 1e-6);
+  EXPECT_NEAR(leg["x"].get<double>(), -40 + 25.6, 0.01);
+  EXPECT_NEAR(leg["y"].get<double>(), 40.0, 0.01);
+  EXPECT_THAT(leg["reason"].get<std::string>(), HasSubstr("no forward way with turns of 1.5 m"));
+  // Corners of lines without a radius are turns that no vehicle makes.
+  EXPECT_EQ(found["list"].back()["what"], "tight turn");
+  EXPECT_NEAR(data["cut_off"]["area_m2"].get<double>(), 800.0, 1e-6);
+  EXPECT_NEAR(data["cut_off"]["share_pct"].get<double>(), 12.5, 1e-6);
+  ASSERT_EQ(data["cut_off"]["list"].size(), 1U);
+  EXPECT_GT(data["cut_off"]["list"][0]["x"], 30.0);
+}
+
+TEST(Report, CarriesTheChoicesOfAPlanner) {
+  const Sample s;
+  std::vector<ReportPlan> plans = s.plans();
+  plans[0].choices = {{.length_ratio = 1.5, .hit_pct = 95.0, .what = "few"},
+                      {.length_ratio = 2.0, .hit_pct = 99.0, .what = "many"}};
+  plans[0].chosen = 1;
+  plans[0].chosen_why = "the most coverage";
+  const json data = data_of(report_html(s.site(), plans));
+  const json& choices = data["plans"][0]["choices"];
+  ASSERT_EQ(choices["list"].size(), 2U);
+  EXPECT_EQ(choices["list"][1]["coverage_pct"], 99.0);
+  EXPECT_EQ(choices["chosen"], 1);
+  EXPECT_EQ(choices["why"], "the most coverage");
+  EXPECT_TRUE(data["plans"][1]["choices"]["list"].empty());
+}
+
 TEST(Report, NeedsAPlan) {
   const Sample s;
   EXPECT_THROW((void)report_html(s.site(), {}), InvalidInput);
@@ -161,10 +208,12 @@ TEST(Verdict, WarnsOfWhatMustNotBeSailed) {
   score.route.outside_water_m = 0.24;
   score.route.min_under_keel_m = -0.5;
   score.route.self_crossings = 1;
-  EXPECT_THAT(
-      internal::warnings(score),
-      testing::ElementsAre("Leaves the water for 0.2 m", "Runs aground: 0.50 m too little water",
-                           "Crosses its own path 1 time"));
+  score.route.infeasible_legs = 2;
+  score.route.infeasible_m = 31.2;
+  EXPECT_THAT(internal::warnings(score),
+              testing::ElementsAre(
+                  "Leaves the water for 0.2 m", "Runs aground: 0.50 m too little water",
+                  "2 legs (32 m) cannot be steered in safe water", "Crosses its own path 1 time"));
 }
 
 TEST(Verdict, NamesTheBestAndTheShortest) {

@@ -23,6 +23,7 @@ Route zigzag() {
       FanAngles{.port = Angle::degrees(12.345678), .starboard = Angle::degrees(61.5)};
   route.waypoints[2].position += Vec2(0.123456, -0.654321);
   route.waypoints[3].speed_mps = 1.75;
+  route.waypoints[5].feasible = false;
   return route;
 }
 
@@ -39,6 +40,7 @@ void expect_same(const Route& a, const Route& b, double tolerance_m) {
     EXPECT_EQ(p.log, q.log) << i;
     EXPECT_EQ(p.line, q.line) << i;
     EXPECT_EQ(p.region, q.region) << i;
+    EXPECT_EQ(p.feasible, q.feasible) << i;
     EXPECT_EQ(p.speed_mps, q.speed_mps) << i;
     ASSERT_EQ(p.fan.has_value(), q.fan.has_value()) << i;
     if (!p.fan) continue;
@@ -76,16 +78,18 @@ TEST(RouteCsv, HoldsTheColumnsOfTheContractInFileCoordinates) {
                              .line = 3,
                              .fan = FanAngles{Angle::degrees(45.0), Angle::degrees(50.5)},
                              .speed_mps = 1.5,
-                             .region = 2});
+                             .region = 2,
+                             .feasible = false});
   route.waypoints.push_back({.position = Vec2(10.0, 0.0),
                              .kind = LegKind::end,
                              .line = std::nullopt,
                              .fan = std::nullopt,
                              .region = std::nullopt});
-  EXPECT_EQ(route_csv(route, local_frame()),
-            "seq,line,kind,log,x_m,y_m,lon_deg,lat_deg,port_deg,stbd_deg,speed_mps,region\r\n"
-            "0,3,run_in,0,100.5,199.75,,,45,50.5,1.5,2\r\n"
-            "1,,end,1,110,200,,,,,2,\r\n");
+  EXPECT_EQ(
+      route_csv(route, local_frame()),
+      "seq,line,kind,log,x_m,y_m,lon_deg,lat_deg,port_deg,stbd_deg,speed_mps,region,status\r\n"
+      "0,3,run_in,0,100.5,199.75,,,45,50.5,1.5,2,infeasible\r\n"
+      "1,,end,1,110,200,,,,,2,,\r\n");
 }
 
 TEST(RouteCsv, GivesLongitudeAndLatitudeWhereTheInputHasACrs) {
@@ -112,6 +116,16 @@ TEST(RouteCsv, ReadsForeignColumnsSeparatorsQuotesAndByteOrderMarks) {
   EXPECT_EQ(back.route.waypoints[0].fan, defaults.fan);
   EXPECT_EQ(back.route.waypoints[0].speed_mps, 3.0);
   EXPECT_THAT(back.notes, testing::Contains(HasSubstr("names no fan: 60 degrees to port")));
+}
+
+TEST(RouteCsv, TakesRoutesWithoutAStatusAndWithAnotherOne) {
+  const auto feasible = [](const std::string& text) {
+    return parse_route_csv(text, "r.csv", local_frame(), {}).route.waypoints[0].feasible;
+  };
+  EXPECT_TRUE(feasible(kHead + "0,0,40,40\n9,0,40,40\n"));
+  const std::string head = "x_m,y_m,port_deg,stbd_deg,status\n";
+  EXPECT_TRUE(feasible(head + "0,0,40,40,surveyed\n9,0,40,40,\n"));
+  EXPECT_FALSE(feasible(head + "0,0,40,40,Infeasible\n9,0,40,40,\n"));
 }
 
 TEST(RouteCsv, ReadsFeetAsTheFrameSays) {

@@ -35,6 +35,7 @@ Route changing() {
     route.waypoints.insert(route.waypoints.begin() + i, w);
   }
   route.waypoints[5].fan.reset();
+  route.waypoints[7].feasible = false;
   return route;
 }
 
@@ -57,6 +58,7 @@ TEST(RouteGeojson, ComesBackAsItWasWritten) {
     ASSERT_EQ(back.route.waypoints.size(), route.waypoints.size());
     for (std::size_t i = 0; i < route.waypoints.size(); ++i) {
       const Waypoint &p = route.waypoints[i], &q = back.route.waypoints[i];
+      EXPECT_EQ(p.feasible, q.feasible) << i;
       EXPECT_LT((p.position - q.position).norm(), 2e-4) << i;
       EXPECT_EQ(p.kind, q.kind) << i;
       if (p.kind == LegKind::end) continue;  // holds for nothing, so no feature tells of it

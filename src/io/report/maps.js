@@ -135,6 +135,52 @@ class MapView {
     ink.fill('evenodd');
   }
 
+  /** Fills with slanted lines that keep their place on the screen. */
+  hatch(rings, style) {
+    if (!rings.length) return;
+    const ink = this.ink;
+    ink.save();
+    ink.beginPath();
+    for (const ring of rings) {
+      ink.moveTo(...this.toScreen(ring[0], ring[1]));
+      for (let i = 2; i < ring.length; i += 2) ink.lineTo(...this.toScreen(ring[i], ring[i + 1]));
+      ink.closePath();
+    }
+    ink.clip('evenodd');
+    ink.beginPath();
+    for (let x = -this.height; x < this.width; x += 6) {
+      ink.moveTo(x, this.height);
+      ink.lineTo(x + this.height, 0);
+    }
+    ink.strokeStyle = style;
+    ink.lineWidth = 2;
+    ink.stroke();
+    ink.restore();
+    this.stroke(rings, style, 1.6);
+  }
+
+  /** A warning triangle with a number. */
+  triangle(text, place) {
+    const [x, y] = this.toScreen(...place);
+    const ink = this.ink;
+    ink.beginPath();
+    ink.moveTo(x, y - 12);
+    ink.lineTo(x + 11, y + 8);
+    ink.lineTo(x - 11, y + 8);
+    ink.closePath();
+    ink.fillStyle = '#ffd500';
+    ink.fill();
+    ink.lineJoin = 'round';
+    ink.lineWidth = 2;
+    ink.strokeStyle = '#000000';
+    ink.stroke();
+    ink.font = '700 10px system-ui, sans-serif';
+    ink.textAlign = 'center';
+    ink.textBaseline = 'middle';
+    ink.fillStyle = '#000000';
+    ink.fillText(text, x, y + 2);
+  }
+
   /** A label with a halo, so that it reads on any ground. */
   label(text, x, y, style = '#10202c', halo = 'rgba(255,255,255,0.85)', size = 12) {
     const ink = this.ink;

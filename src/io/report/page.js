@@ -16,7 +16,7 @@ const gates = data.gates.map(decoded), blocked = data.blocked.map(decoded);
 let chosen = plans.reduce((best, p, i) =>
   (p.figures.coverage_hit_pct > plans[best].figures.coverage_hit_pct ? i : best), 0);
 let marked = null;  // the gap that was clicked: [plan, number]
-const layers = {path: true, regions: true, gates: true, gaps: true};
+const layers = {path: true, limits: true, regions: true, gates: true, gaps: true};
 
 const number = (v, digits = 0) => v.toLocaleString('en-GB', {minimumFractionDigits: digits, maximumFractionDigits: digits});
 const percent = (v) => number(v < 100 ? Math.min(v, 99.9) : v, 1) + ' %';
@@ -144,6 +144,7 @@ function paintPath(map) {
 
 function paintDepth(map) {
   depth.draw(map);
+  if (layers.limits) paintCutOff(map);
   map.fill(noGo, 'rgba(179,38,30,0.28)');
   map.stroke(noGo, '#b3261e', 1.2, [4, 3]);
   map.stroke(water, 'rgba(16,32,44,0.45)', 1, [2, 3]);
@@ -151,6 +152,7 @@ function paintDepth(map) {
   if (layers.regions) for (const r of regions) map.stroke(r.rings, '#33414f', 1.2);
   map.stroke(area, '#10202c', 1.8);
   if (layers.path) paintPath(map);
+  if (layers.limits) paintViolations(map);
   if (layers.gates) {
     for (const [edges, name, width] of [[blocked, 'blocked', 2.2], [gates, 'gate', 4]]) {
       map.stroke(edges, colour('casing'), width + 2.5);
@@ -171,7 +173,8 @@ function paintDepth(map) {
 
 new MapView($('depth-map'), 'Depth, depth regions, gates and path', 720, paintDepth);
 
-for (const [key, text, has] of [['path', 'Path', true], ['regions', 'Depth regions', regions.length],
+for (const [key, text, has] of [['path', 'Path', true],
+  ['limits', 'Violations', plans.some((p) => p.violations.count) || data.cut_off.count], ['regions', 'Depth regions', regions.length],
   ['gates', 'Gates and blocked edges', gates.length + blocked.length], ['gaps', 'Largest gaps', true]]) {
   if (!has) continue;
   const box = element('input', {type: 'checkbox', checked: '', onchange: (event) => {
@@ -192,6 +195,9 @@ for (const [key, text, has] of [['path', 'Path', true], ['regions', 'Depth regio
     legendItem(mark('transit', 'dash'), 'transit or sonar off'),
     ...(gates.length ? [legendItem(mark('gate'), 'gate')] : []),
     ...(blocked.length ? [legendItem(mark('blocked'), 'blocked edge')] : []),
+    ...(plans.some((p) => p.violations.count)
+      ? [legendItem(element('span', {class: 'hazard'}), '▲ infeasible, outside safe water, or too tight')] : []),
+    ...(data.cut_off.count ? [legendItem(element('span', {class: 'hatch'}), 'survey area outside safe water')] : []),
     element('span', {class: 'item'}, 'S start, E end'));
 }
 
@@ -222,6 +228,7 @@ function choose(i) {
     plan.tab.setAttribute('aria-pressed', k === i);
   });
   listGaps();
+  listLimits();
   redraw();
 }
 plans.forEach((plan, i) => {
@@ -265,7 +272,10 @@ const figures = [
   ['Turns', 'turns', count, 'low'],
   ['of them 90° or more', 'sharp_turns', count, 'low'],
   ['Smallest turn radius', 'min_turn_radius_m', short, 'high'],
-  ['Self-crossings', 'self_crossings', count, 'low', (v) => v > 0],
+  ['Infeasible legs', 'infeasible_legs', count, 'low', (v) => v > 0],
+  ['Path tighter than the vehicle turns', 'tight_turn_m', short, 'low', (v) => v > 0],
+  ['Self-crossings', 'self_crossings', count, 'low'],
+  ['Path along earlier stretches of itself', 'shared_m', long, 'low'],
   ['Path outside the water', 'outside_water_m', long, 'low', (v) => v > 0],
   ['Least water under the keel', 'min_under_keel_m', short, 'high', (v) => v < 0],
   ['Planning time', 'planning_s', time, ''],
@@ -287,48 +297,6 @@ const figures = [
   $('figures').append(element('table', {}, element('thead', {}, head), element('tbody', {}, ...body)));
 }
 
-// --- chart -----------------------------------------------------------------------------------
-function svg(tag, attributes, text) {
-  const node = document.createElementNS('http://www.w3.org/2000/svg', tag);
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
-  if (text !== undefined) node.textContent = text;
-  return node;
-}
-{
-  const W = 440, H = 250, left = 46, right = 20, top = 16, bottom = 40;
-  const xs = plans.map((p) => p.figures.length_ratio), ys = plans.map((p) => p.figures.coverage_hit_pct);
-  const x1 = Math.max(2, Math.ceil(Math.max(...xs) * 1.12 * 2) / 2);
-  const y0 = Math.max(0, Math.floor((Math.min(...ys) - 4) / 10) * 10);
-  const px = (x) => left + x / x1 * (W - left - right);
-  const py = (y) => top + (100 - y) / (100 - y0) * (H - top - bottom);
-  const chart = svg('svg', {viewBox: `0 0 ${W} ${H}`, role: 'img', 'aria-label':
-    'Coverage against length: ' + plans.map((p, i) => `${p.name} ${percent(ys[i])} at ${ratio(xs[i])}`).join('; ')});
-  const stepY = (100 - y0) > 50 ? 20 : 10;
-  for (let y = y0; y <= 100; y += stepY) {
-    chart.append(svg('line', {class: 'grid', x1: left, x2: W - right, y1: py(y), y2: py(y)}),
-      svg('text', {x: left - 7, y: py(y) + 4, 'text-anchor': 'end'}, y + ' %'));
-  }
-  const stepX = x1 > 8 ? 2 : x1 > 3 ? 1 : 0.5;
-  for (let x = 0; x <= x1; x += stepX) {
-    chart.append(svg('line', {class: 'grid', x1: px(x), x2: px(x), y1: top, y2: H - bottom}),
-      svg('text', {x: px(x), y: H - bottom + 16, 'text-anchor': 'middle'}, x));
-  }
-  chart.append(svg('text', {x: (left + W - right) / 2, y: H - 7, 'text-anchor': 'middle'},
-    'length / ideal length (shorter is left, better is up)'));
-  const taken = [];
-  plans.map((p, i) => i).sort((a, b) => ys[b] - ys[a]).forEach((i) => {
-    const x = px(xs[i]), y = py(ys[i]);
-    chart.append(svg('circle', {cx: x, cy: y, r: 6.5, fill: plans[i].tint, stroke: '#fff', 'stroke-width': 1.5}));
-    const wide = 7.5 * plans[i].name.length, rightwards = x + wide + 14 < W;
-    let ty = y + 4;
-    while (taken.some(([a, b]) => Math.abs(a - x) < 110 && Math.abs(b - ty) < 14)) ty += 14;
-    taken.push([x, ty]);
-    chart.append(svg('text', {class: 'name', x: rightwards ? x + 11 : x - 11, y: ty,
-      'text-anchor': rightwards ? 'start' : 'end'}, plans[i].name));
-  });
-  $('scatter').append(chart);
-}
-
 // --- settings --------------------------------------------------------------------------------
 {
   const p = data.provenance;
@@ -341,21 +309,3 @@ function svg(tag, attributes, text) {
   add('made by', p.program + ' ' + p.version + ', ' + p.command);
   add('input hash', p.input_hash, 'wide');
 }
-
-for (const button of document.querySelectorAll('[data-zoom]')) {
-  button.addEventListener('click', () => {
-    if (button.dataset.zoom === 'all') marked = null;
-    ({in: () => zoom(1.6), out: () => zoom(1 / 1.6), all: showAll})[button.dataset.zoom]();
-  });
-}
-matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
-addEventListener('beforeprint', () => {
-  root.dataset.theme = 'light';
-  for (const map of maps) map.draw();
-});
-addEventListener('afterprint', () => {
-  delete root.dataset.theme;
-  redraw();
-});
-setView(home);
-choose(chosen);

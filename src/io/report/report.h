@@ -7,6 +7,7 @@
 
 #include "coverage/score.h"
 #include "io/provenance.h"
+#include "planners/pareto.h"
 
 namespace swathplan {
 
@@ -18,6 +19,9 @@ struct ReportPlan {
   const CoverageGrid* grid = nullptr;
   double planning_seconds = 0.0;
   std::vector<std::string> notes;
+  std::vector<Outcome> choices;  ///< that the planner had; may be empty
+  std::size_t chosen = 0;
+  std::string chosen_why;
 };
 
 /// A depth region as the report draws it; local metres.
@@ -33,13 +37,14 @@ struct ReportSite {
   const Seafloor* seafloor = nullptr;
   const DepthQuery* depths = nullptr;
   Area survey_area, water, no_go;
+  Vehicle vehicle;
   std::vector<ReportRegion> regions;
   std::vector<std::pair<Vec2, Vec2>> gates, blocked_edges;
   Provenance provenance;
 };
 
 /// One self-contained page that opens offline: what each plan covers and misses side by side, the
-/// map with path, regions and gates, all figures, the largest gaps, settings and provenance.
+/// map with path, regions and gates, what cannot be sailed as drawn and why, all figures, the largest gaps, settings and provenance.
 /// Pictures are scaled down and paths simplified by less than a pixel so that the page stays small.
 [[nodiscard]] std::string report_html(const ReportSite& site, const std::vector<ReportPlan>& plans);
 

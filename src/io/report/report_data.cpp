@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coverage/violations.h"
 #include "io/crs.h"
 #include "io/provenance_internal.h"
 #include "io/report/display_path_internal.h"
@@ -20,6 +21,10 @@ constexpr std::size_t kCoverageBudget = 3'300'000;  // bytes of PNG over all pla
 constexpr std::size_t kLargestPath = 30'000;        // points
 constexpr std::uint32_t kDepthSide = 900;           // pixels
 constexpr std::size_t kListedHolidays = 25;
+constexpr std::size_t kListedViolations = 100;
+constexpr std::size_t kListedCutOffs = 25;
+constexpr double kSlit = 0.01;         // metres
+constexpr double kLeastCutOff = 0.01;  // square metres
 
 /// Turns local metres into the page's centimetres.
 class Pen {
@@ -131,7 +136,9 @@ Json regions_json(const ReportSite& site, const Pen& pen, double tolerance_m) {
   Json out = Json::array();
   for (const ReportRegion& r : site.regions) {
     if (r.outline.empty()) continue;
-    out.push_back({{"rings", pen.rings(r.outline, tolerance_m)},
+    // The union of mesh faces leaves slits between some of them, a lattice step wide.
+    const Area closed = offset(offset(r.outline, kSlit), -kSlit);
+    out.push_back({{"rings", pen.rings(closed, tolerance_m)},
                    {"label", pen.line({label_point(r.outline)})},
                    {"band", r.band},
                    {"mean_depth_m", r.mean_depth_m},
@@ -177,6 +184,89 @@ Json holidays_json(const Holidays& holidays, const Pen& pen, const Frame& frame)
   return out;
 }
 
+double rounded(double x) { return std::round(x * 100.0) / 100.0; }
+
+std::string reason(const Violation& v, const Waypoint& at, const Vehicle& vehicle) {
+  switch (v.kind) {
+    case ViolationKind::infeasible:
+      if (at.kind == LegKind::turn || at.kind == LegKind::transit) {
+        return fmt::format("no forward way with turns of {:g} m stays in safe water",
+                           vehicle.turn_radius_m);
+      }
+      return fmt::format(
+          "bends tighter than {:g} m, and no forward way around it stays in safe water",
+          vehicle.turn_radius_m);
+    case ViolationKind::outside_water:
+      return "too shoal, on land, too close to a wall, or inside no-go";
+    case ViolationKind::tight_turn:
+      return fmt::format("a radius of {:.2f} m, where the vehicle needs {:g} m", v.radius_m,
+                         vehicle.turn_radius_m);
+  }
+  return {};
+}
+
+Json violations_json(const Route& route, const ReportSite& site, const Pen& pen) {
+  const std::vector<Violation> all = violations(route, site.vehicle, site.water);
+  Json list = Json::array();
+  for (const Violation& v : all) {
+    if (list.size() == kListedViolations) break;
+    const Waypoint& at = route.waypoints[v.first];
+    std::vector<Vec2> line;
+    Box2 box;
+    for (std::size_t i = v.first; i <= v.last; ++i) {
+      line.push_back(route.waypoints[i].position);
+      box.extend(line.back());
+    }
+    const Vec2 file = site.seafloor->frame.to_file(v.position);
+    list.push_back({{"what", name(v.kind)},
+                    {"kind", name(at.kind)},
+                    {"length_m", v.length_m},
+                    {"reason", reason(v, at, site.vehicle)},
+                    {"line", pen.line(line)},
+                    {"at", pen.line({v.position})},
+                    {"box", pen.box(box)},
+                    {"x", rounded(file.x())},
+                    {"y", rounded(file.y())}});
+  }
+  return {{"count", all.size()}, {"list", std::move(list)}};
+}
+
+/// What of the survey area the boat cannot enter.
+Json cut_off_json(const ReportSite& site, const Pen& pen, double tolerance_m) {
+  Area cut = subtract(site.survey_area, site.water);
+  std::erase_if(cut, [](const Polygon& p) { return area_m2({p}) < kLeastCutOff; });
+  std::sort(cut.begin(), cut.end(),
+            [](const Polygon& a, const Polygon& b) { return area_m2({a}) > area_m2({b}); });
+  Json list = Json::array();
+  for (const Polygon& piece : cut) {
+    if (list.size() == kListedCutOffs) break;
+    const Vec2 at = label_point({piece});
+    const Vec2 file = site.seafloor->frame.to_file(at);
+    list.push_back({{"area_m2", area_m2({piece})},
+                    {"at", pen.line({at})},
+                    {"box", pen.box(extent({piece}))},
+                    {"x", rounded(file.x())},
+                    {"y", rounded(file.y())}});
+  }
+  return {{"area_m2", area_m2(cut)},
+          {"share_pct", 100.0 * area_m2(cut) / area_m2(site.survey_area)},
+          {"count", cut.size()},
+          {"rings", pen.rings(cut, tolerance_m)},
+          {"list", std::move(list)}};
+}
+
+Json choices_json(const ReportPlan& plan) {
+  Json list = Json::array();
+  for (const Outcome& o : plan.choices) {
+    list.push_back({{"coverage_pct", o.hit_pct},
+                    {"length_ratio", o.length_ratio},
+                    {"length_m", o.length_m},
+                    {"turns", o.turns},
+                    {"what", o.what}});
+  }
+  return {{"list", std::move(list)}, {"chosen", plan.chosen}, {"why", plan.chosen_why}};
+}
+
 Json coverage_json(const CoverageGrid& grid, const Pen& pen, std::size_t budget) {
   const CoveragePicture picture = coverage_picture(grid, budget);
   return {{"png", base64(picture.png)},
@@ -194,8 +284,9 @@ Json legend_json() {
           {"empty_steps", kEmptySteps}};
 }
 
-Json plan_json(const ReportPlan& plan, const Pen& pen, const Frame& frame, double tolerance_m,
+Json plan_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen, double tolerance_m,
                std::size_t budget) {
+  const Frame& frame = site.seafloor->frame;
   return {{"name", plan.planner},
           {"gaps_text", gaps_text(*plan.score)},
           {"coverage_text", percent_text(plan.score->all.hit_pct)},
@@ -206,6 +297,8 @@ Json plan_json(const ReportPlan& plan, const Pen& pen, const Frame& frame, doubl
           {"figures", score_figures(*plan.score)},
           {"path", path_json(*plan.route, pen, tolerance_m)},
           {"holidays", holidays_json(plan.score->holidays, pen, frame)},
+          {"violations", violations_json(*plan.route, site, pen)},
+          {"choices", choices_json(plan)},
           {"coverage", coverage_json(*plan.grid, pen, budget)}};
 }
 
@@ -227,6 +320,7 @@ Json report_data(const ReportSite& site, const std::vector<ReportPlan>& plans) {
   data["area"] = pen.rings(site.survey_area, tolerance_m);
   data["water"] = pen.rings(site.water, tolerance_m);
   data["no_go"] = pen.rings(site.no_go, tolerance_m);
+  data["cut_off"] = cut_off_json(site, pen, tolerance_m);
   data["regions"] = regions_json(site, pen, tolerance_m);
   data["gates"] = pen.edges(site.gates);
   data["blocked"] = pen.edges(site.blocked_edges);
@@ -236,7 +330,7 @@ Json report_data(const ReportSite& site, const std::vector<ReportPlan>& plans) {
   data["plans"] = Json::array();
   for (const ReportPlan& plan : plans) {
     data["plans"].push_back(
-        plan_json(plan, pen, frame, tolerance_m, kCoverageBudget / plans.size()));
+        plan_json(plan, site, pen, tolerance_m, kCoverageBudget / plans.size()));
   }
   return data;
 }

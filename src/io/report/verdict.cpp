@@ -63,6 +63,11 @@ std::vector<std::string> warnings(const Score& score) {
     list.push_back(
         fmt::format("Runs aground: {:.2f} m too little water", -score.route.min_under_keel_m));
   }
+  if (score.route.infeasible_legs > 0) {
+    list.push_back(fmt::format(
+        "{} leg{} ({:.0f} m) cannot be steered in safe water", score.route.infeasible_legs,
+        score.route.infeasible_legs == 1 ? "" : "s", std::ceil(score.route.infeasible_m)));
+  }
   if (score.route.self_crossings > 0) {
     list.push_back(fmt::format("Crosses its own path {} time{}", score.route.self_crossings,
                                score.route.self_crossings == 1 ? "" : "s"));

@@ -18,7 +18,8 @@ namespace swathplan::internal {
 [[nodiscard]] std::string gaps_text(const Score& score);
 /// What a plan is worth in one or two sentences: coverage, length, gaps.
 [[nodiscard]] std::string verdict(const Score& score);
-/// What speaks against sailing it: metres outside the water, grounding, self-crossings.
+/// What speaks against sailing it: metres outside the water, grounding, legs that cannot
+/// be steered, self-crossings.
 [[nodiscard]] std::vector<std::string> warnings(const Score& score);
 /// The best and the shortest of several plans, in one sentence.
 [[nodiscard]] std::string overall_verdict(const std::vector<std::string>& planners,

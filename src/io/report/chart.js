@@ -1,0 +1,97 @@
+// Coverage against length: the plans, and the choices that a planner had.
+
+function svg(tag, attributes, ...children) {
+  const node = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  node.append(...children);
+  return node;
+}
+
+/** Round numbers from `low` to `high`, about `wanted` of them. */
+function ticks(low, high, wanted) {
+  const rough = (high - low) / wanted;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].map((f) => f * power).find((s) => s >= rough * 0.999);
+  const first = Math.floor(low / step + 1e-9), last = Math.ceil(high / step - 1e-9);
+  return Array.from({length: last - first + 1}, (_, i) => +((first + i) * step).toPrecision(12));
+}
+
+function drawChart(place) {
+  const W = 460, H = 320, left = 58, right = 22, top = 16, bottom = 50;
+  const all = plans.flatMap((p) => [[p.figures.length_ratio, p.figures.coverage_hit_pct],
+    ...p.choices.list.map((c) => [c.length_ratio, c.coverage_pct])]);
+  const xs = all.map((a) => a[0]), ys = all.map((a) => a[1]);
+  const alone = plans.length === 1 && all.length > 1;
+  const pad = 0.06 * (Math.max(...xs) - Math.min(...xs));
+  const xt = ticks(alone ? Math.min(...xs) - pad : 0, Math.max(...xs) + Math.max(pad, 0.05), 6);
+  const yt = ticks(Math.min(...ys) - (alone ? 0.2 : 3), Math.max(Math.max(...ys), alone ? 0 : 100), 5)
+    .filter((y) => y <= 100);
+  const [x0, x1, y0, y1] = [xt[0], xt[xt.length - 1], yt[0], Math.max(yt[yt.length - 1], ...ys)];
+  const px = (x) => left + (x - x0) / (x1 - x0) * (W - left - right);
+  const py = (y) => top + (y1 - y) / (y1 - y0) * (H - top - bottom);
+  const chart = svg('svg', {viewBox: `0 0 ${W} ${H}`, role: 'img', 'aria-label':
+    'Coverage against length: ' + plans.map((p) =>
+      `${p.name} ${percent(p.figures.coverage_hit_pct)} at ${ratio(p.figures.length_ratio)}`).join('; ')});
+  for (const y of yt) {
+    chart.append(svg('line', {class: 'grid', x1: left, x2: W - right, y1: py(y), y2: py(y)}),
+      svg('text', {x: left - 7, y: py(y) + 4, 'text-anchor': 'end'}, y));
+  }
+  for (const x of xt) {
+    chart.append(svg('line', {class: 'grid', x1: px(x), x2: px(x), y1: top, y2: H - bottom}),
+      svg('text', {x: px(x), y: H - bottom + 17, 'text-anchor': 'middle'}, x));
+  }
+  const middle = top + (H - top - bottom) / 2;
+  chart.append(svg('text', {x: (left + W - right) / 2, y: H - 10, 'text-anchor': 'middle'},
+    'path length / ideal length (area / swath width)'),
+  svg('text', {x: 15, y: middle, 'text-anchor': 'middle', transform: `rotate(-90 15 ${middle})`},
+    'coverage, % of cells'));
+  for (const plan of plans) drawChoices(chart, plan, px, py);
+  drawPlans(chart, px, py, W);
+  place.append(chart);
+  for (const plan of plans) if (plan.choices.list.length) place.append(choicesText(plan));
+}
+
+/** Diamonds on a line: no other plan that was tried is both shorter and covers more. */
+function drawChoices(chart, plan, px, py) {
+  const list = plan.choices.list;
+  if (!list.length) return;
+  const at = list.map((c) => [px(c.length_ratio), py(c.coverage_pct)]);
+  chart.append(svg('polyline', {points: at.join(' '), fill: 'none', stroke: plan.tint, 'stroke-width': 1.4}));
+  list.forEach((c, i) => {
+    const [x, y] = at[i];
+    const says = `${number(c.coverage_pct, 2)} % at ${ratio(c.length_ratio)} ideal lengths, ` +
+      `${long(c.length_m)}, ${c.turns} turns: ${c.what}`;
+    chart.append(svg('path', {d: `M${x - 5} ${y}L${x} ${y - 5}L${x + 5} ${y}L${x} ${y + 5}Z`, class: 'choice',
+      stroke: plan.tint}, svg('title', {}, says)));
+    if (i === plan.choices.chosen) {
+      chart.append(svg('circle', {cx: x, cy: y, r: 11, fill: 'none', class: 'picked'}));
+    }
+  });
+}
+
+function drawPlans(chart, px, py, width) {
+  const taken = [];
+  const high = (p) => p.figures.coverage_hit_pct;
+  for (const plan of [...plans].sort((a, b) => high(b) - high(a))) {
+    const x = px(plan.figures.length_ratio), y = py(high(plan));
+    chart.append(svg('circle', {cx: x, cy: y, r: 6.5, fill: plan.tint, stroke: '#fff', 'stroke-width': 1.5}));
+    const wide = 7.5 * plan.name.length, gap = plan.choices.list.length ? 16 : 11;
+    const rightwards = x + wide + gap < width;
+    // A name stands clear of the line of choices, which rises to the right.
+    let ty = plan.choices.list.length ? y + 17 : y + 4;
+    while (taken.some(([a, b]) => Math.abs(a - x) < 110 && Math.abs(b - ty) < 14)) ty += 14;
+    taken.push([x, ty]);
+    chart.append(svg('text', {class: 'name', x: rightwards ? x + gap : x - gap, y: ty,
+      'text-anchor': rightwards ? 'start' : 'end'}, plan.name));
+  }
+}
+
+function choicesText(plan) {
+  const {list, chosen: picked, why} = plan.choices;
+  const c = list[picked];
+  return element('p', {class: 'says'}, element('strong', {}, `${plan.name}: `),
+    `diamonds are the ${list.length} plans that no other tried plan beats in both length and coverage. ` +
+    `Picked (ring): ${c.what}, ${why}.`);
+}
+
+drawChart($('scatter'));
