@@ -32,6 +32,7 @@ constexpr double kInfillGains[] = {0.2, 0.07};
 constexpr double kBand = 0.008;
 /// Infill is tried on so many of the best plans.
 constexpr std::size_t kInfillOn = 4;
+constexpr std::size_t kInfillOnLarge = 2;
 
 constexpr const char* kNoLines =
     "fitted-lines: no survey line fits into the water of the survey area; check --area, --no-go "
@@ -78,7 +79,7 @@ void infill_best(std::vector<Finished>& plans, LineWorkshop& shop) {
   std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) {
     return worth(plans[a].outcome) > worth(plans[b].outcome);
   });
-  best.resize(std::min(best.size(), is_large(shop) ? 1 : kInfillOn));
+  best.resize(std::min(best.size(), is_large(shop) ? kInfillOnLarge : kInfillOn));
   for (const std::size_t i : best) {
     const CoverageGrid grid = shop.score(plans[i].built.route).grid;
     std::size_t before = 0;
@@ -96,7 +97,7 @@ void infill_best(std::vector<Finished>& plans, LineWorkshop& shop) {
 
 /// Walls that fronts start from, and what is tried on each.
 constexpr std::size_t kFieldWalls = 3;
-constexpr double kFieldSpacings[] = {0.9, 1.0, 1.12};
+constexpr double kFieldSpacings[] = {0.9, 1.0, 1.12, 1.25};
 constexpr double kFieldGap = 1.2;
 constexpr LineAnglesOptions kFieldAngles{
     .overlap_m = 0.5, .widest_share = 1.0, .by_distance = false};
@@ -134,7 +135,7 @@ void add_field_plans(std::vector<Finished>& plans, LineWorkshop& shop) {
   std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) {
     return worth(a.outcome) > worth(b.outcome);
   });
-  for (std::size_t i = 0; i < std::min(is_large(shop) ? 1 : kFieldFinalists, tried.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kFieldFinalists, tried.size()); ++i) {
     plans.push_back({shop.build(tried[i].lines, width, kFieldAngles), {}});
     plans.back().outcome = shop.judge(plans.back().built.route, 1, tried[i].outcome.what);
   }
