@@ -1,72 +1,39 @@
+#include "apps/adapt_accordion.h"
+
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <iostream>
 
-#include "apps/adapt_common.h"
 #include "apps/adapt_live.h"
 #include "apps/adapt_planners.h"
-#include "io/adaptive_study.h"
-#include "io/atomic_file.h"
 #include "mesh/error.h"
-#include "planners/accordion_scan.h"
 #include "planners/adaptive_worlds.h"
 
 namespace swathplan {
 namespace {
 
-struct AccordionCommand {
-  SiteOptions site;
-  BoxOptions box;
-  AdaptOutput output;
-  AccordionOptions planner{.width_m = 1000.0, .length_m = 500.0};
-  std::string rule = "basic";
-  std::optional<double> threshold, clearance_m;
-  double p_obj = 0.2;
-  int objects = 12;
-  SideScanSonar sonar;
-  CostMapOptions cost;
-  bool no_gap_filler = false;
-  int missions = 100;
-  double pixel_m = 0.1, row_m = 0.2;
-};
-
-// Abstract costs are 0.1 and 1; the costs of images are measured against their surroundings.
-constexpr double kWorldThreshold = 0.5;
+// The costs of images are measured against their surroundings.
 constexpr double kImageThreshold = 1.0;
 // An image places an object by slant range on a flat bottom; slopes and heights move it.
 constexpr double kImageClearance = 3.0;
 
-AccordionRule rule_of(const std::string& name) {
-  if (name == "basic") return AccordionRule::basic;
-  if (name == "bounded") return AccordionRule::bounded;
-  throw UsageError(fmt::format("--rule {}; must be basic or bounded", name));
-}
+// What is drawn in a picture besides tracks.
+constexpr const char* kDots = "red: objects";
 
-AccordionOptions planner_of(const AccordionCommand& c, double default_threshold,
-                            double default_clearance = 0.0) {
-  AccordionOptions options = c.planner;
-  options.rule = rule_of(c.rule);
-  options.threshold = c.threshold.value_or(default_threshold);
-  options.clearance_m = c.clearance_m.value_or(default_clearance);
-  check(options);
-  return options;
-}
-
-std::vector<std::pair<std::string, double>> figures_of(const AccordionState& state, int objects,
-                                                       int seen_twice) {
+std::vector<std::pair<std::string, double>> figures_of(const AccordionState& state) {
   const AccordionOptions& o = state.options;
   const double lawnmower =
       mission_length_m(overlapping_lawnmower(o.width_m, o.spacing_m), o.length_m);
   return {{"tracks", static_cast<double>(state.sailed.size())},
           {"length_m", state.sailed_m},
           {"lawnmower_length_m", lawnmower},
-          {"improvement_pct", gain(state).whole_pct},
-          {"objects", objects},
-          {"objects_seen_from_both_sides", seen_twice}};
+          {"improvement_pct", gain(state).whole_pct}};
+}
+
+void add_object_figures(MissionOutput& out, int objects, int seen_twice) {
+  out.figures.emplace_back("objects", objects);
+  out.figures.emplace_back("objects_seen_from_both_sides", seen_twice);
 }
 
 Provenance provenance(const AccordionCommand& c, const AccordionOptions& o,
@@ -83,17 +50,18 @@ Provenance provenance(const AccordionCommand& c, const AccordionOptions& o,
 }
 
 void simulate_strips(const AccordionCommand& c) {
-  const AccordionOptions o = planner_of(c, kWorldThreshold);
+  const AccordionOptions o = accordion_of(c, kWorldThreshold);
   const SurveyBox box = box_of(c.box, o.width_m, o.length_m, {});
   const StripWorld world = random_strips(o.width_m, o.spacing_m, c.p_obj, c.output.seed);
   const AccordionMission mission = sail(world, o);
-  const double depth = 0.25 * sonar_range_m(o);
-  MissionOutput out{"accordion", fmt::format("Accordion ({})", c.rule), {}, {}, {},
-                    {},          provenance(c, o, "simulate")};
+  MissionOutput out = mission_output(box, mission.state.sailed, sonar_range_m(o),
+                                     flat_depth_m(sonar_range_m(o)), provenance(c, o, "simulate"));
+  out.planner = "accordion";
+  out.label = fmt::format("Accordion ({})", c.rule);
   out.provenance.options.emplace_back("p_obj", c.p_obj);
-  out.route = mission_route(box, mission.state.sailed, {side_fan(sonar_range_m(o), depth), 1.5});
-  out.figures = figures_of(mission.state, mission.objects, mission.objects_seen_twice);
-  TrackPicture picture{out.label, o.width_m, o.length_m, mission.state.sailed, {}, "", {}};
+  out.figures = figures_of(mission.state);
+  add_object_figures(out, mission.objects, mission.objects_seen_twice);
+  TrackPicture picture{out.label, o.width_m, o.length_m, mission.state.sailed, {}, kDots, {}};
   SeededNumbers numbers(mixed_seed(c.output.seed, 99));
   for (const double x : world.objects_m) {
     picture.objects.emplace_back(x, (0.1 + 0.8 * numbers.uniform()) * o.length_m);
@@ -102,7 +70,7 @@ void simulate_strips(const AccordionCommand& c) {
   lawnmower.title = "Overlapping lawnmower";
   lawnmower.tracks = overlapping_lawnmower(o.width_m, o.spacing_m);
   out.pictures = {picture, lawnmower};
-  write_mission(c.output, out, *flat_site(box, sonar_range_m(o), depth));
+  write_flat_mission(c.output, out, box, sonar_range_m(o));
 }
 
 double mean_depth(const SurveyBox& box, const DepthQuery& depths) {
@@ -121,7 +89,7 @@ double mean_depth(const SurveyBox& box, const DepthQuery& depths) {
 }
 
 void simulate_seafloor(const AccordionCommand& c) {
-  const AccordionOptions o = planner_of(c, kImageThreshold, kImageClearance);
+  const AccordionOptions o = accordion_of(c, kImageThreshold, kImageClearance);
   check(c.sonar);
   auto site = load_site(c.site, Vehicle{});
   const SurveyBox box = box_of(c.box, o.width_m, o.length_m, site->seafloor().frame);
@@ -143,18 +111,20 @@ void simulate_seafloor(const AccordionCommand& c) {
   for (const ObjectSights& s : sights(objects, state.sailed, o, world)) {
     twice += s.from_below && s.from_above ? 1 : 0;
   }
-  MissionOutput out{"accordion", fmt::format("Accordion ({})", c.rule), {}, {}, {},
-                    {},          provenance(c, o, "simulate")};
+  MissionOutput out =
+      mission_output(box, state.sailed, sonar_range_m(o), depth, provenance(c, o, "simulate"));
+  out.planner = "accordion";
+  out.label = fmt::format("Accordion ({})", c.rule);
   out.provenance.input_file = c.site.file.string();
   out.provenance.input_hash = site->imported.input_hash;
   out.provenance.options.emplace_back("objects", static_cast<std::int64_t>(c.objects));
-  out.route = mission_route(box, state.sailed, {side_fan(sonar_range_m(o), depth), 1.5});
-  out.figures = figures_of(state, static_cast<int>(objects.size()), twice);
+  out.figures = figures_of(state);
+  add_object_figures(out, static_cast<int>(objects.size()), twice);
   out.notes = {
       fmt::format("the score takes a sonar at the surface with the same swath; the images "
                   "were made {:g} m above the seafloor",
                   c.sonar.altitude_m)};
-  TrackPicture picture{out.label, o.width_m, o.length_m, state.sailed, {}, "", {}};
+  TrackPicture picture{out.label, o.width_m, o.length_m, state.sailed, {}, kDots, {}};
   const Vec2 origin = box_point(box, 0, 0);
   for (const DroppedObject& object : objects) {
     const Vec2 p = object.base.head<2>() - origin;
@@ -168,132 +138,8 @@ void simulate_seafloor(const AccordionCommand& c) {
 }
 
 void simulate(const AccordionCommand& c) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  c.output.threads > 0 ? static_cast<std::size_t>(c.output.threads)
-                                                       : static_cast<std::size_t>(1) << 10U);
+  const auto limit = thread_limit(c.output);
   c.site.file.empty() ? simulate_strips(c) : simulate_seafloor(c);
-}
-
-constexpr std::array<double, 7> kAlphas{0.01, 0.1, 0.25, 0.5, 0.75, 1.0, 2.0};
-constexpr std::array<double, 7> kAreasKm2{5.5, 3.8, 3.3, 2.73, 2.34, 2.05, 1.36};
-constexpr int kShares = 21;
-
-// One cell: a hundred missions with one alpha and one share of strips with objects.
-std::vector<double> study_cell(const AccordionCommand& c, AccordionRule rule, std::size_t cell) {
-  const std::size_t a = cell / kShares;
-  const double share = static_cast<double>(cell % kShares) / (kShares - 1);
-  AccordionOptions o = c.planner;
-  o.rule = rule;
-  o.threshold = kWorldThreshold;
-  o.length_m = o.spacing_m / kAlphas[a];
-  o.width_m =
-      o.spacing_m * std::max(1.0, std::round(kAreasKm2[a] * 1e6 / o.length_m / o.spacing_m));
-  const double lawnmower =
-      mission_length_m(overlapping_lawnmower(o.width_m, o.spacing_m), o.length_m);
-  double sum = 0.0, periods = 0.0, worst = -1e300, excess = -1e300;
-  int better = 0, unseen = 0;
-  for (int i = 0; i < c.missions; ++i) {
-    const auto world =
-        random_strips(o.width_m, o.spacing_m, share,
-                      mixed_seed(c.output.seed, cell, static_cast<std::uint64_t>(i)));
-    const auto mission = sail(world, o);
-    const auto g = gain(mission.state);
-    sum += g.whole_pct;
-    periods += g.periods_pct;
-    worst = std::max(worst, -g.whole_pct);
-    excess = std::max(excess, (mission.state.sailed_m - lawnmower) / (o.length_m + o.spacing_m));
-    better += g.whole_pct > 1e-9 ? 1 : 0;
-    unseen += mission.objects - mission.objects_seen_twice;
-  }
-  return {kAlphas[a],
-          100.0 * share,
-          o.width_m,
-          o.length_m,
-          sum / c.missions,
-          periods / c.missions,
-          published_improvement_pct(kAlphas[a], 100.0 * share),
-          -worst,
-          excess,
-          100.0 * better / c.missions,
-          static_cast<double>(unseen)};
-}
-
-std::string study_summary(const std::vector<std::vector<double>>& rows) {
-  double squares = 0.0;
-  double unseen = 0.0;
-  for (const auto& r : rows) {
-    squares += (r[4] - r[6]) * (r[4] - r[6]);
-    unseen += r[10];
-  }
-  std::string text = fmt::format(
-      "RMS difference from the published function: {:.2f} points; objects "
-      "not seen from both sides: {:g}\n",
-      std::sqrt(squares / static_cast<double>(rows.size())), unseen);
-  text +=
-      "alpha   mean %  break-even p_obj %  shorter % (p_obj to 100, 90, 80)  worst, tracks over\n";
-  for (std::size_t a = 0; a < kAlphas.size(); ++a) {
-    double mean = 0.0, worst = -1e300, even = 100.0;
-    std::array<double, kShares> shorter{};
-    for (int k = 0; k < kShares; ++k) {
-      const auto& r = rows[a * kShares + static_cast<std::size_t>(k)];
-      mean += r[4] / kShares;
-      worst = std::max(worst, r[8]);
-      shorter[static_cast<std::size_t>(k)] = r[9];
-      if (k == 0 || even < 100.0 || r[4] >= 0.0) continue;
-      const auto& before = rows[a * kShares + static_cast<std::size_t>(k) - 1];
-      even = before[1] + (r[1] - before[1]) * before[4] / (before[4] - r[4]);
-    }
-    const auto upto = [&](int last) {
-      double sum = 0.0;
-      for (int k = 0; k <= last; ++k) sum += shorter[static_cast<std::size_t>(k)];
-      return sum / (last + 1);
-    };
-    text +=
-        fmt::format("{:<7g} {:6.2f}  {:18.1f}  {:6.1f} {:6.1f} {:6.1f}                {:10.2f}\n",
-                    kAlphas[a], mean, even, upto(20), upto(18), upto(16), worst);
-  }
-  return text;
-}
-
-void study(const AccordionCommand& c) {
-  const AccordionRule rule = rule_of(c.rule);
-  if (c.missions < 1)
-    throw UsageError(fmt::format("--missions {}; must be at least 1", c.missions));
-  check(planner_of(c, kWorldThreshold));
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  c.output.threads > 0 ? static_cast<std::size_t>(c.output.threads)
-                                                       : static_cast<std::size_t>(1) << 10U);
-  Study s{fmt::format("accordion-{}", c.rule),
-          fmt::format("seed {} missions {} spacing_m {}", c.output.seed, c.missions,
-                      c.planner.spacing_m),
-          {"alpha", "p_obj_pct", "width_m", "length_m", "mean_improvement_pct",
-           "mean_improvement_periods_pct", "published_improvement_pct", "worst_improvement_pct",
-           "worst_excess_tracks", "shorter_pct", "objects_not_seen_twice"},
-          kAlphas.size() * kShares,
-          [&](std::size_t cell) { return study_cell(c, rule, cell); }};
-  const auto rows = run_study(s, c.output.folder, study_progress("accordion", c.output.quiet));
-  Chart chart{
-      fmt::format("Accordion ({}): improvement on the lawnmower, % (dashed: published)", c.rule),
-      "strips with objects, %",
-      "",
-      {}};
-  for (std::size_t a = 0; a < kAlphas.size(); ++a) {
-    ChartCurve ours{fmt::format("alpha {:g}", kAlphas[a]), {}, {}, false};
-    ChartCurve published{"", {}, {}, true};
-    for (int k = 0; k < kShares; ++k) {
-      const auto& r = rows[a * kShares + static_cast<std::size_t>(k)];
-      ours.x.push_back(r[1]);
-      ours.y.push_back(r[4]);
-      published.x.push_back(r[1]);
-      published.y.push_back(r[6]);
-    }
-    chart.curves.push_back(std::move(ours));
-    chart.curves.push_back(std::move(published));
-  }
-  write_chart_png(c.output.folder / (s.name + ".png"), chart);
-  const std::string summary = study_summary(rows);
-  write_text_atomically(c.output.folder / (s.name + ".txt"), summary);
-  if (!c.output.quiet) fmt::print("{}", summary);
 }
 
 CostMap map_of(const nlohmann::json& side) {
@@ -316,7 +162,7 @@ CostMap map_of(const nlohmann::json& side) {
 }
 
 void live(const AccordionCommand& c) {
-  const AccordionOptions o = planner_of(c, kWorldThreshold);
+  const AccordionOptions o = accordion_of(c, kWorldThreshold);
   const SurveyBox box = box_of(c.box, o.width_m, o.length_m, {});
   AccordionState state = start_accordion(o);
   LivePlanner planner{"accordion", [&] { return next_track(state); }, {}, {}};
@@ -340,15 +186,13 @@ void live(const AccordionCommand& c) {
   };
   const auto sailed = run_live(std::cin, std::cout, box, {}, planner);
   if (sailed.empty()) return;
-  const double depth = 0.25 * sonar_range_m(o);
-  MissionOutput out{"accordion", "Accordion (live)", {}, {}, {}, {}, provenance(c, o, "live")};
-  out.route = mission_route(box, sailed, {side_fan(sonar_range_m(o), depth), 1.5});
-  out.figures = figures_of(state, 0, 0);
+  MissionOutput out = mission_output(box, sailed, sonar_range_m(o), flat_depth_m(sonar_range_m(o)),
+                                     provenance(c, o, "live"));
+  out.planner = "accordion";
+  out.label = "Accordion (live)";
+  out.figures = figures_of(state);
   out.pictures = {{out.label, o.width_m, o.length_m, sailed, {}, "", {}}};
-  AdaptOutput quiet = c.output;
-  quiet.quiet = true;
-  quiet.json = false;
-  write_mission(quiet, out, *flat_site(box, sonar_range_m(o), depth));
+  write_live_mission(c.output, out, box, sonar_range_m(o));
 }
 
 void add_planner_options(CLI::App& command, AccordionCommand& c) {
@@ -381,6 +225,22 @@ void add_sonar_options(CLI::App& command, AccordionCommand& c) {
 
 }  // namespace
 
+AccordionRule accordion_rule(const std::string& name) {
+  if (name == "basic") return AccordionRule::basic;
+  if (name == "bounded") return AccordionRule::bounded;
+  throw UsageError(fmt::format("--rule {}; must be basic or bounded", name));
+}
+
+AccordionOptions accordion_of(const AccordionCommand& c, double default_threshold,
+                              double default_clearance) {
+  AccordionOptions options = c.planner;
+  options.rule = accordion_rule(c.rule);
+  options.threshold = c.threshold.value_or(default_threshold);
+  options.clearance_m = c.clearance_m.value_or(default_clearance);
+  check(options);
+  return options;
+}
+
 void add_adapt_accordion(CLI::App& adapt) {
   auto* accordion = adapt.add_subcommand(
       "accordion", "Lawnmower that folds where the sonar meets objects of interest");
@@ -397,8 +257,8 @@ void add_adapt_accordion(CLI::App& adapt) {
   sub->callback([c] { simulate(*c); });
   sub = accordion->add_subcommand("study", "Monte Carlo over alpha and p_obj, as published");
   add_planner_options(*sub, *c);
-  sub->add_option("--missions", c->missions, "Per alpha and p_obj")->capture_default_str();
-  sub->callback([c] { study(*c); });
+  add_missions_option(*sub, c->missions, "Per alpha and p_obj");
+  sub->callback([c] { study_accordion(*c); });
   sub = accordion->add_subcommand("live", "JSON lines: observations in, tracks out");
   add_planner_options(*sub, *c);
   sub->add_option("--pixel", c->pixel_m, "Pixel of images across, m")->capture_default_str();

@@ -37,6 +37,27 @@ SurveyOptions scoring_options(const AdaptOutput& output, const Site& site) {
   return options;
 }
 
+// Half-angles that sweep `range_m` to each side at `depth_m` below the sonar.
+FanAngles side_fan(double range_m, double depth_m) {
+  constexpr double kWidest = 88.0;  // beams nearer the horizon meet no seafloor
+  const double half = std::min(std::atan2(range_m, depth_m) * 180.0 / std::numbers::pi, kWidest);
+  return {Angle::degrees(half), Angle::degrees(half)};
+}
+
+std::unique_ptr<Site> flat_site(const SurveyBox& box, double margin_m, double depth_m) {
+  const Box2 around = extent(box_area(box));
+  auto site = std::make_unique<Site>();
+  const Vec2 size = around.size() + Vec2::Constant(2.0 * margin_m);
+  site->imported.seafloor = flat(size.x(), size.y(), depth_m);
+  for (Vec3& v : site->imported.seafloor.vertices) {
+    v.head<2>() += around.min - Vec2::Constant(margin_m);
+  }
+  site->depths = std::make_unique<DepthQuery>(site->seafloor());
+  site->water = outline(site->seafloor());
+  site->survey_area = box_area(box);
+  return site;
+}
+
 }  // namespace
 
 void add_adapt_output(CLI::App& command, AdaptOutput& output) {
@@ -80,18 +101,16 @@ Area box_area(const SurveyBox& box) {
   return {{std::move(ring), {}}};
 }
 
-std::unique_ptr<Site> flat_site(const SurveyBox& box, double margin_m, double depth_m) {
-  const Box2 around = extent(box_area(box));
-  auto site = std::make_unique<Site>();
-  const Vec2 size = around.size() + Vec2::Constant(2.0 * margin_m);
-  site->imported.seafloor = flat(size.x(), size.y(), depth_m);
-  for (Vec3& v : site->imported.seafloor.vertices) {
-    v.head<2>() += around.min - Vec2::Constant(margin_m);
-  }
-  site->depths = std::make_unique<DepthQuery>(site->seafloor());
-  site->water = outline(site->seafloor());
-  site->survey_area = box_area(box);
-  return site;
+tbb::global_control thread_limit(const AdaptOutput& output) {
+  constexpr std::size_t kAll = 1024;
+  return {tbb::global_control::max_allowed_parallelism,
+          output.threads > 0 ? static_cast<std::size_t>(output.threads) : kAll};
+}
+
+void add_missions_option(CLI::App& command, int& missions, const std::string& what) {
+  command.add_option("--missions", missions, what)
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
 }
 
 Provenance adapt_provenance(const std::string& command, std::uint64_t seed,
@@ -104,10 +123,13 @@ Provenance adapt_provenance(const std::string& command, std::uint64_t seed,
   return provenance;
 }
 
-FanAngles side_fan(double range_m, double depth_m) {
-  constexpr double kWidest = 88.0;  // beams nearer the horizon meet no seafloor
-  const double half = std::min(std::atan2(range_m, depth_m) * 180.0 / std::numbers::pi, kWidest);
-  return {Angle::degrees(half), Angle::degrees(half)};
+MissionOutput mission_output(const SurveyBox& box, std::span<const SurveyTrack> tracks,
+                             double range_m, double depth_m, Provenance provenance) {
+  constexpr double kSpeed = 1.5;  // metres per second
+  MissionOutput out;
+  out.route = mission_route(box, tracks, {side_fan(range_m, depth_m), kSpeed});
+  out.provenance = std::move(provenance);
+  return out;
 }
 
 void write_mission(const AdaptOutput& output, const MissionOutput& mission, const Site& site) {
@@ -138,6 +160,20 @@ void write_mission(const AdaptOutput& output, const MissionOutput& mission, cons
     for (const std::string& note : mission.notes) fmt::print(stderr, "note: {}\n", note);
     fmt::print("report: {}\n", (output.folder / "report.html").string());
   }
+}
+
+void write_flat_mission(const AdaptOutput& output, const MissionOutput& mission,
+                        const SurveyBox& box, double range_m) {
+  // Tracks may lie outside the box by up to a range, and look as far again.
+  write_mission(output, mission, *flat_site(box, 2.0 * range_m, flat_depth_m(range_m)));
+}
+
+void write_live_mission(const AdaptOutput& output, const MissionOutput& mission,
+                        const SurveyBox& box, double range_m) {
+  AdaptOutput silent = output;
+  silent.quiet = true;
+  silent.json = false;
+  write_flat_mission(silent, mission, box, range_m);
 }
 
 std::function<void(double)> study_progress(const std::string& label, bool quiet) {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -58,7 +58,9 @@ Provenance provenance(const QualityCommand& c, const QualitySurveyOptions& o,
 
 TrackPicture picture_of(const std::string& title, const QualitySurveyOptions& o,
                         const std::vector<SurveyTrack>& tracks, const std::vector<char>& covered) {
-  TrackPicture picture{title, o.width_m, o.length_m, tracks, {}, "dark: not covered", {}};
+  TrackPicture picture{title, o.width_m, o.length_m, tracks, {}, "", {}};
+  const bool gaps = std::find(covered.begin(), covered.end(), 0) != covered.end();
+  picture.shade_label = gaps ? "dark: not covered" : "all covered";
   for (const char c : covered) picture.shade.push_back(c ? 0.0 : 0.6);
   return picture;
 }
@@ -70,17 +72,12 @@ void simulate(const QualityCommand& c) {
   const QualitySurveyState state = sail(o, truth);
   const QualitySurveyState preplanned = sail_preplanned(o, truth);
   const auto optimum = fewest_tracks(o, truth);
-  const double depth = 0.25 * o.range_max_m;
-  MissionOutput out{"quality",
-                    fmt::format("Quality survey ({} constraint)", c.constraint),
-                    {},
-                    {},
-                    {},
-                    {},
-                    provenance(c, o, "simulate")};
+  MissionOutput out = mission_output(box, state.sailed, o.range_max_m, flat_depth_m(o.range_max_m),
+                                     provenance(c, o, "simulate"));
+  out.planner = "quality";
+  out.label = fmt::format("Quality survey ({} constraint)", c.constraint);
   out.provenance.options.emplace_back("true_port_range_m", c.port_m);
   out.provenance.options.emplace_back("true_starboard_range_m", c.starboard_m);
-  out.route = mission_route(box, state.sailed, {side_fan(o.range_max_m, depth), 1.5});
   out.figures = {{"tracks", static_cast<double>(state.sailed.size())},
                  {"covered_pct", 100.0 * covered_share(state)},
                  {"travel_m", travel_m(state.sailed, o.length_m)},
@@ -93,11 +90,12 @@ void simulate(const QualityCommand& c) {
     QualitySurveyOptions variant = o;
     variant.constraint = constraint;
     const auto s = sail(variant, truth);
-    out.pictures.push_back(
-        picture_of(fmt::format("{} constraint: {} tracks", name(constraint), s.sailed.size()), o,
-                   s.sailed, s.covered));
+    out.pictures.push_back(picture_of(
+        fmt::format("{} constraint: {} tracks",
+                    constraint == GapConstraint::none ? "no" : name(constraint), s.sailed.size()),
+        o, s.sailed, s.covered));
   }
-  write_mission(c.output, out, *flat_site(box, 3.0 * o.range_max_m, depth));
+  write_flat_mission(c.output, out, box, o.range_max_m);
 }
 
 // A track on which a bin fails at random; what is good at all follows the true ranges.
@@ -141,13 +139,29 @@ std::vector<double> study_cell(const QualityCommand& c, const QualitySurveyOptio
   return row;
 }
 
+// What the optimum needs is a wide curve; what a variant needs beyond it tells them apart.
+Chart study_chart(const std::vector<std::vector<double>>& rows, std::size_t bins) {
+  Chart chart{"Quality survey: tracks beyond the exact optimum, both sides alike",
+              "true range of good data, m",
+              "",
+              {}};
+  const std::array<std::pair<const char*, std::size_t>, 3> curves{
+      {{"no constraint", 4}, {"mild", 8}, {"strong", 12}}};
+  for (const auto& [label, column] : curves) {
+    ChartCurve curve{label, {}, {}, false};
+    for (std::size_t i = 0; i < bins; ++i) {
+      if (rows[i][2] == 0.0) continue;
+      curve.x.push_back(rows[i][0]);
+      curve.y.push_back(rows[i][column] - rows[i][2]);
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
 void study(const QualityCommand& c) {
-  if (c.missions < 1)
-    throw UsageError(fmt::format("--missions {}; must be at least 1", c.missions));
   const QualitySurveyOptions o = planner_of(c, SurveyBox{});
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  c.output.threads > 0 ? static_cast<std::size_t>(c.output.threads)
-                                                       : static_cast<std::size_t>(1) << 10U);
+  const auto limit = thread_limit(c.output);
   const auto bins = static_cast<std::size_t>(range_bins(o));
   Study s{"quality",
           fmt::format("seed {} missions {} failing {} width_m {} length_m {} swath_m {} range_m {} "
@@ -163,22 +177,7 @@ void study(const QualityCommand& c) {
                      {n + "_tracks", n + "_travel_m", n + "_covered_pct", n + "_noisy_tracks"});
   }
   const auto rows = run_study(s, c.output.folder, study_progress("quality", c.output.quiet));
-  Chart chart{"Quality survey: tracks for full coverage, both sides alike",
-              "true range of good data, m",
-              "tracks",
-              {}};
-  const std::array<std::pair<const char*, std::size_t>, 4> curves{
-      {{"optimum", 2}, {"none", 4}, {"mild", 8}, {"strong", 12}}};
-  for (const auto& [label, column] : curves) {
-    ChartCurve curve{label, {}, {}, column == 2};
-    for (std::size_t i = 0; i < bins; ++i) {
-      if (rows[i][2] == 0.0) continue;
-      curve.x.push_back(rows[i][0]);
-      curve.y.push_back(rows[i][column]);
-    }
-    chart.curves.push_back(std::move(curve));
-  }
-  write_chart_png(c.output.folder / "quality.png", chart);
+  write_chart_png(c.output.folder / "quality.png", study_chart(rows, bins));
   if (c.output.quiet) return;
   fmt::print(
       "port starboard optimum preplanned % |  tracks none mild strong | travel km none mild "
@@ -207,16 +206,14 @@ void live(const QualityCommand& c) {
   };
   const auto sailed = run_live(std::cin, std::cout, box, {}, planner);
   if (sailed.empty()) return;
-  const double depth = 0.25 * o.range_max_m;
-  MissionOutput out{"quality", "Quality survey (live)", {}, {}, {}, {}, provenance(c, o, "live")};
-  out.route = mission_route(box, sailed, {side_fan(o.range_max_m, depth), 1.5});
+  MissionOutput out = mission_output(box, sailed, o.range_max_m, flat_depth_m(o.range_max_m),
+                                     provenance(c, o, "live"));
+  out.planner = "quality";
+  out.label = "Quality survey (live)";
   out.figures = {{"tracks", static_cast<double>(sailed.size())},
                  {"covered_pct", 100.0 * covered_share(state)}};
   out.pictures = {picture_of(out.label, o, sailed, state.covered)};
-  AdaptOutput quiet = c.output;
-  quiet.quiet = true;
-  quiet.json = false;
-  write_mission(quiet, out, *flat_site(box, 3.0 * o.range_max_m, depth));
+  write_live_mission(c.output, out, box, o.range_max_m);
 }
 
 void add_planner_options(CLI::App& command, QualityCommand& c) {
@@ -254,8 +251,7 @@ void add_adapt_quality(CLI::App& adapt) {
   sub->callback([c] { simulate(*c); });
   sub = quality->add_subcommand("study", "All true ranges, both sides and port alone");
   add_planner_options(*sub, *c);
-  sub->add_option("--missions", c->missions, "With random failures, per cell")
-      ->capture_default_str();
+  add_missions_option(*sub, c->missions, "With random failures, per cell");
   sub->add_option("--failing", c->failing, "Share of range bins that fail by chance")
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
@@ -118,15 +117,10 @@ void simulate(const SpacingCommand& c) {
   control.adapt = false;
   const SpacingMission reference = sail(control, world_of(c));
   const RiskFigures risk = risk_figures(mission.risk, c.border_m, c.components);
-  const double depth = 0.25 * o.range_m;
-  MissionOutput out{"spacing",
-                    o.adapt ? "Track spacing (adaptive)" : "Track spacing (control)",
-                    {},
-                    {},
-                    {},
-                    {},
-                    provenance(c, o, "simulate")};
-  out.route = mission_route(box, mission.state.sailed, {side_fan(o.range_m, depth), 1.5});
+  MissionOutput out = mission_output(box, mission.state.sailed, o.range_m, flat_depth_m(o.range_m),
+                                     provenance(c, o, "simulate"));
+  out.planner = "spacing";
+  out.label = o.adapt ? "Track spacing (adaptive)" : "Track spacing (control)";
   out.figures = {{"tracks", static_cast<double>(mission.state.sailed.size())},
                  {"length_m", length_m(out.route)},
                  {"first_range_m", mission.state.ranges_m.front()},
@@ -156,7 +150,8 @@ void simulate(const SpacingCommand& c) {
   const auto counts = histogram(looked_at(mission.risk), 50);
   const auto control_counts = histogram(looked_at(reference.risk), 50);
   Chart chart{"Residual risk of the cells that were looked at", "residual risk", "cells", {}};
-  ChartCurve adaptive{out.planner, {}, {}, false}, fixed{"control", {}, {}, true};
+  ChartCurve adaptive{o.adapt ? "adaptive" : "this mission", {}, {}, false};
+  ChartCurve fixed{"control", {}, {}, true};
   for (std::size_t i = 0; i < counts.size(); ++i) {
     adaptive.x.push_back((static_cast<double>(i) + 0.5) / 50.0);
     adaptive.y.push_back(counts[i]);
@@ -165,7 +160,7 @@ void simulate(const SpacingCommand& c) {
   }
   chart.curves = {adaptive, fixed};
   write_chart_png(c.output.folder / "risk-histogram.png", chart);
-  write_mission(c.output, out, *flat_site(box, 2.0 * o.range_m, depth));
+  write_flat_mission(c.output, out, box, o.range_m);
 }
 
 constexpr std::array<double, 4> kTrueRanges{120.0, 130.0, 140.0, 150.0};
@@ -206,13 +201,9 @@ std::vector<double> study_cell(const SpacingCommand& c, std::size_t cell, std::s
 }
 
 void study(const SpacingCommand& c) {
-  if (c.missions < 1)
-    throw UsageError(fmt::format("--missions {}; must be at least 1", c.missions));
   const TrackSpacingOptions o = planner_of(c);
   constexpr std::size_t kStarts = 7;
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  c.output.threads > 0 ? static_cast<std::size_t>(c.output.threads)
-                                                       : static_cast<std::size_t>(1) << 10U);
+  const auto limit = thread_limit(c.output);
   Study s{
       "spacing",
       fmt::format("seed {} missions {} width_m {} length_m {} nadir_m {} threshold {} trials {} "
@@ -275,15 +266,13 @@ void live(const SpacingCommand& c) {
   };
   const auto sailed = run_live(std::cin, std::cout, box, {}, planner);
   if (sailed.empty()) return;
-  const double depth = 0.25 * o.range_m;
-  MissionOutput out{"spacing", "Track spacing (live)", {}, {}, {}, {}, provenance(c, o, "live")};
-  out.route = mission_route(box, sailed, {side_fan(o.range_m, depth), 1.5});
+  MissionOutput out =
+      mission_output(box, sailed, o.range_m, flat_depth_m(o.range_m), provenance(c, o, "live"));
+  out.planner = "spacing";
+  out.label = "Track spacing (live)";
   out.figures = {{"tracks", static_cast<double>(sailed.size())}};
   out.pictures = {picture_of(out.label, o, sailed)};
-  AdaptOutput quiet = c.output;
-  quiet.quiet = true;
-  quiet.json = false;
-  write_mission(quiet, out, *flat_site(box, 2.0 * o.range_m, depth));
+  write_live_mission(c.output, out, box, o.range_m);
 }
 
 void add_planner_options(CLI::App& command, SpacingCommand& c) {
@@ -334,7 +323,7 @@ void add_adapt_spacing(CLI::App& adapt) {
   sub = spacing->add_subcommand("study", "Control against adaptive over believed and true ranges");
   add_planner_options(*sub, *c);
   add_world_options(*sub, *c);
-  sub->add_option("--missions", c->missions, "Per cell")->capture_default_str();
+  add_missions_option(*sub, c->missions, "Per cell");
   sub->callback([c] { study(*c); });
   sub = spacing->add_subcommand("live", "JSON lines: observations in, tracks out");
   add_planner_options(*sub, *c);

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "mesh/error.h"
+#include "mesh/require_internal.h"
 
 namespace swathplan {
 namespace {
@@ -86,9 +86,6 @@ void add_side(const RayScene& scene, const Vec3& sonar_at, const Vec2& outward, 
 }  // namespace
 
 void check(const SideScanSonar& s) {
-  const auto require = [](bool holds, const char* name, double value, const char* rule) {
-    if (!holds) throw UsageError(fmt::format("{} = {}; must be {}", name, value, rule));
-  };
   require(s.range_m > 0.0 && s.range_m <= 1000.0, "sonar range", s.range_m, "in (0, 1000] m");
   require(s.pixel_m > 0.0 && s.pixel_m <= s.range_m, "image pixel", s.pixel_m, "in (0, range] m");
   require(s.ping_spacing_m > 0.0, "ping spacing", s.ping_spacing_m, "above 0 m");

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/error.h"
+#include "mesh/require_internal.h"
 #include "planners/accordion_bounded_internal.h"
 
 namespace swathplan {
@@ -154,14 +155,9 @@ void forget_finished(AccordionState& state) {
 }  // namespace
 
 void check(const AccordionOptions& o) {
-  const auto positive = [](const char* name, double value) {
-    if (!(value > 0.0) || !std::isfinite(value)) {
-      throw UsageError(fmt::format("{} = {}; must be a finite number above 0", name, value));
-    }
-  };
-  positive("width", o.width_m);
-  positive("length", o.length_m);
-  positive("spacing", o.spacing_m);
+  require_positive("width", o.width_m);
+  require_positive("length", o.length_m);
+  require_positive("spacing", o.spacing_m);
   if (!(o.nadir_gap_m >= 0.0 && o.nadir_gap_m < o.spacing_m)) {
     throw UsageError(fmt::format("nadir gap = {} m; must lie in [0, spacing = {} m)", o.nadir_gap_m,
                                  o.spacing_m));
@@ -196,14 +192,7 @@ std::optional<SurveyTrack> next_track(const AccordionState& state) {
 
 AccordionState observe(AccordionState state, const SurveyTrack& track,
                        const AccordionObservation& observation) {
-  const auto expected = next_track(state);
-  if (!expected || !(track == *expected)) {
-    throw InvalidInput(fmt::format(
-        "an observation for track {} at {} m, which was not given; {}", track.number,
-        track.across_m,
-        expected ? fmt::format("track {} at {} m is due", expected->number, expected->across_m)
-                 : "the mission is complete"));
-  }
+  check_due(track, next_track(state));
   check_map(observation.back, state.options, track.number, "back");
   check_map(observation.ahead, state.options, track.number, "ahead");
   note_side(state, track, observation.back, -1.0);

@@ -113,13 +113,21 @@ double bounded_start(const AccordionState& state) {
 
 std::optional<double> bounded_loop_back(const AccordionState& state) {
   const AccordionOptions& o = state.options;
+  const double blind = state.front_m + o.nadir_gap_m;
   std::optional<double> back;
+  double nearest = 0.0;             // from here on the farthest object is still in range
+  double farthest = state.front_m;  // up to here no object lies in the loop's own nadir gap
   for (const Interval& object : state.pending) {
-    if (object.low >= state.front_m || state.seen_from_below.covers(object)) continue;
+    // What lies in the nadir gap ahead of the last track can be seen from below by no later one.
+    if (object.low >= blind || state.seen_from_below.covers(object)) continue;
     const double edge = loop_edge(state, object) - o.nadir_gap_m;
     back = std::max(0.0, back ? std::min(*back, edge) : edge);
+    nearest = std::max(nearest, std::min(object.high, blind) - sonar_range_m(o));
+    farthest = std::min(farthest, state.seen_from_below.run_end(object.low) - o.nadir_gap_m);
   }
-  if (!back || *back > state.front_m - kSamePlace) return std::nullopt;
+  if (!back) return std::nullopt;
+  back = std::max(*back, std::min(nearest, farthest));
+  if (*back > state.front_m - kSamePlace) return std::nullopt;
   const bool been_there = std::abs(position(state) - *back) < kSamePlace;
   return been_there || !loop_stays_in_bound(state, *back) ? std::nullopt : back;
 }

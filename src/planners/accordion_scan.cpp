@@ -12,6 +12,9 @@ namespace {
 constexpr int kDraws = 1000;
 // A ray to an object's top may end on the facet before it.
 constexpr double kSightSlack = 0.3;
+// The gap filler looks this far beyond the nadir gap: near its edge the side-scan image is steep,
+// shadows are short, and half an object may be cut away.
+constexpr double kFillerOverlap = 3.0;
 
 DroppedObject object_of_kind(int kind) {
   switch (kind % 3) {
@@ -97,10 +100,10 @@ AccordionState sail(const AccordionOptions& options, const ScanWorld& world,
         *track, side_scan_image(*world.scene, from, to, world.depth_below, sonar), {}};
     scanned.observation = cost_maps(scanned.image, port_back, cost);
     if (world.fill_nadir && options.nadir_gap_m > 0.0) {
-      fill_nadir(
-          scanned.observation,
-          nadir_heights(*world.scene, from, to, world.depth_below, options.nadir_gap_m, sonar),
-          port_back, cost);
+      fill_nadir(scanned.observation,
+                 nadir_heights(*world.scene, from, to, world.depth_below,
+                               options.nadir_gap_m + kFillerOverlap, sonar),
+                 port_back, cost);
     }
     if (each) each(scanned);
     state = observe(std::move(state), *track, scanned.observation);

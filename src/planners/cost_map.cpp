@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "mesh/error.h"
+#include "mesh/require_internal.h"
 
 namespace swathplan {
 namespace {
@@ -22,13 +23,10 @@ constexpr double kFullCost = 4.0;
 // Contrasts below a twentieth of the mean return are nothing, even in an image without speckle.
 constexpr double kLeastVariation = 0.05;
 // The height above the bottom that costs 1 in the nadir gap, and the square of its local mean.
-constexpr double kNadirHeight = 0.5;
+constexpr double kNadirHeight = 0.35;
 constexpr double kNadirMean = 5.0;
 
 void check(const CostMapOptions& o) {
-  const auto require = [](bool holds, const char* name, double value, const char* rule) {
-    if (!holds) throw UsageError(fmt::format("{} = {}; must be {}", name, value, rule));
-  };
   require(o.window_m > 0.0, "cost window", o.window_m, "above 0 m");
   require(o.smallest_m2 >= 0.0, "smallest patch", o.smallest_m2, "at least 0 square metres");
   require(o.threshold > 0.0, "threshold", o.threshold, "above 0");

@@ -25,7 +25,7 @@ struct CostMapOptions {
                                              const CostMapOptions& options);
 
 /// The middle of the cost maps, from what a multibeam sonar saw in the nadir gap: height above the
-/// bottom's local mean, half a metre giving a cost of 1. Larger costs win.
+/// bottom's local mean, 0.35 m giving a cost of 1. Larger costs win.
 void fill_nadir(AccordionObservation& observation, const NadirHeights& heights,
                 bool port_looks_back, const CostMapOptions& options);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/error.h"
+#include "mesh/require_internal.h"
 #include "planners/quality_swaths_internal.h"
 
 namespace swathplan {
@@ -134,16 +135,10 @@ std::string_view name(GapConstraint constraint) {
 }
 
 void check(const QualitySurveyOptions& o) {
-  const auto require = [](bool holds, const char* name, double value, const char* rule) {
-    if (!holds) throw UsageError(fmt::format("{} = {}; must be {}", name, value, rule));
-  };
-  const auto positive = [&](const char* name, double value) {
-    require(value > 0.0 && std::isfinite(value), name, value, "a finite number above 0");
-  };
-  positive("swath", o.swath_m);
-  positive("width", o.width_m);
-  positive("length", o.length_m);
-  positive("turn width (twice the turning radius)", o.turn_width_m);
+  require_positive("swath", o.swath_m);
+  require_positive("width", o.width_m);
+  require_positive("length", o.length_m);
+  require_positive("turn width (twice the turning radius)", o.turn_width_m);
   require(is_multiple(o.width_m, o.swath_m), "width", o.width_m, "a multiple of the swath");
   require(o.range_min_m >= 0.0 && is_multiple(o.range_min_m, o.swath_m), "smallest range",
           o.range_min_m, "a multiple of the swath, at least 0");
@@ -211,14 +206,7 @@ std::optional<SurveyTrack> next_track(const QualitySurveyState& state) {
 
 QualitySurveyState observe(QualitySurveyState state, const SurveyTrack& track,
                            const QualityObservation& observation) {
-  const auto expected = next_track(state);
-  if (!expected || !(track == *expected)) {
-    throw InvalidInput(fmt::format(
-        "an observation for track {} at {} m, which was not given; {}", track.number,
-        track.across_m,
-        expected ? fmt::format("track {} at {} m is due", expected->number, expected->across_m)
-                 : "the mission is complete"));
-  }
+  check_due(track, next_track(state));
   const auto bins = static_cast<std::size_t>(range_bins(state.options));
   check_side(observation.port, bins, track.number, "port");
   check_side(observation.starboard, bins, track.number, "starboard");

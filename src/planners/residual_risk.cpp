@@ -8,15 +8,13 @@
 #include <opencv2/ml.hpp>
 
 #include "mesh/error.h"
+#include "mesh/require_internal.h"
 #include "planners/adaptive_worlds.h"
 
 namespace swathplan {
 namespace {
 
 void check(const RiskMapOptions& o) {
-  const auto require = [](bool holds, const char* name, double value, const char* rule) {
-    if (!holds) throw UsageError(fmt::format("{} = {}; must be {}", name, value, rule));
-  };
   require(o.cell_m > 0.0 && std::isfinite(o.cell_m), "risk cell", o.cell_m, "above 0");
   require(o.width_m >= o.cell_m, "width", o.width_m, "at least one cell of the risk map");
   require(o.length_m >= o.cell_m, "length", o.length_m, "at least one cell of the risk map");
@@ -24,7 +22,7 @@ void check(const RiskMapOptions& o) {
 }
 
 // The fit costs seconds with tens of thousands of values; so many quantiles say the same.
-constexpr std::size_t kMostSamples = 2000;
+constexpr std::size_t kMostSamples = 500;
 
 std::vector<double> quantiles(std::span<const double> values) {
   std::vector<double> sorted(values.begin(), values.end());

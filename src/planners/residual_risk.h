@@ -43,7 +43,7 @@ struct MixtureComponent {
   double mean = 0.0, sigma = 0.0, share = 0.0;
 };
 /// A mixture of `count` Gaussians (expectation maximisation, OpenCV's), ascending by mean, fitted
-/// to at most 2000 quantiles of the values and started from them: same values, same fit.
+/// to at most 500 quantiles of the values and started from them: same values, same fit.
 /// @throws InvalidInput if there are fewer values than ten per component.
 [[nodiscard]] std::vector<MixtureComponent> fitted_mixture(std::span<const double> values,
                                                            int count);

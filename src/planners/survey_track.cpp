@@ -1,8 +1,12 @@
 #include "planners/survey_track.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <utility>
+
+#include "mesh/error.h"
 
 namespace swathplan {
 namespace {
@@ -25,6 +29,14 @@ bool starts_north(StartCorner corner) {
 }
 
 }  // namespace
+
+void check_due(const SurveyTrack& track, const std::optional<SurveyTrack>& due) {
+  if (due && track == *due) return;
+  throw InvalidInput(fmt::format(
+      "an observation for track {} at {} m, which was not given; {}", track.number, track.across_m,
+      due ? fmt::format("track {} at {} m is due", due->number, due->across_m)
+          : "the mission is complete"));
+}
 
 std::optional<StartCorner> start_corner(std::string_view text) {
   for (const auto& [corner, known] : kCorners) {

@@ -18,6 +18,10 @@ struct SurveyTrack {
   bool operator==(const SurveyTrack&) const = default;
 };
 
+/// What every adaptive planner asks of an observation. @throws InvalidInput unless `track` is the
+/// one that is due (empty: the mission is complete); the message names both.
+void check_due(const SurveyTrack& track, const std::optional<SurveyTrack>& due);
+
 /// The corner of the box (seen with `along` up, as north on a map) where the mission starts.
 enum class StartCorner { south_west, south_east, north_west, north_east };
 /// 'sw', 'se', 'nw' or 'ne'; empty for anything else.

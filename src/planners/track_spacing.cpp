@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesh/error.h"
+#include "mesh/require_internal.h"
 
 namespace swathplan {
 namespace {
@@ -70,15 +71,10 @@ void learn(TrackSpacingState& state, const DetectionCurve& curve) {
 }  // namespace
 
 void check(const TrackSpacingOptions& o) {
-  const auto positive = [](const char* name, double value) {
-    if (!(value > 0.0) || !std::isfinite(value)) {
-      throw UsageError(fmt::format("{} = {}; must be a finite number above 0", name, value));
-    }
-  };
-  positive("width", o.width_m);
-  positive("length", o.length_m);
-  positive("nadir gap r_n", o.nadir_m);
-  positive("range r", o.range_m);
+  require_positive("width", o.width_m);
+  require_positive("length", o.length_m);
+  require_positive("nadir gap r_n", o.nadir_m);
+  require_positive("range r", o.range_m);
   if (o.range_m < 3.0 * o.nadir_m) {
     throw UsageError(
         fmt::format("range r = {} m with a nadir gap r_n = {} m; paired tracks close "
@@ -141,14 +137,7 @@ std::optional<SurveyTrack> next_track(const TrackSpacingState& state) {
 
 TrackSpacingState observe(TrackSpacingState state, const SurveyTrack& track,
                           const DetectionCurve& curve) {
-  const auto expected = next_track(state);
-  if (!expected || !(track == *expected)) {
-    throw InvalidInput(fmt::format(
-        "an observation for track {} at {} m, which was not given; {}", track.number,
-        track.across_m,
-        expected ? fmt::format("track {} at {} m is due", expected->number, expected->across_m)
-                 : "the mission is complete"));
-  }
+  check_due(track, next_track(state));
   check(curve, fmt::format("track {}: P(y) curve", track.number));
   state.sailed.push_back(track);
   state.ranges_m.push_back(state.range_m);

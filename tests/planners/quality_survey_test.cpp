@@ -7,6 +7,7 @@
 
 #include "mesh/error.h"
 #include "planners/adaptive_worlds.h"
+#include "planners/message_of.h"
 #include "planners/quality_baselines.h"
 
 namespace swathplan {
@@ -146,16 +147,6 @@ TEST(QualitySurvey, ADeadSonarEndsTheSurvey) {
   const auto state = sail(o, true_quality(o, 0, 0));
   EXPECT_DOUBLE_EQ(covered_share(state), 0.0);
   EXPECT_EQ(state.sailed.size(), 40U);
-}
-
-template <class Error, class Action>
-std::string message_of(Action&& action) {
-  try {
-    action();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "nothing was thrown";
 }
 
 TEST(QualitySurvey, RefusesBadObservations) {

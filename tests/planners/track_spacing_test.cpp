@@ -7,6 +7,7 @@
 
 #include "mesh/error.h"
 #include "planners/intervals.h"
+#include "planners/message_of.h"
 #include "planners/spacing_missions.h"
 
 namespace swathplan {
@@ -113,16 +114,6 @@ TEST(TrackSpacing, AShortRangeIsAnsweredNotFatal) {
   EXPECT_TRUE(state.range_too_short);
   EXPECT_DOUBLE_EQ(state.good_range_m, 120.0);
   EXPECT_TRUE(next_track(state).has_value());
-}
-
-template <class Error, class Action>
-std::string message_of(Action&& action) {
-  try {
-    action();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "nothing was thrown";
 }
 
 TEST(TrackSpacing, RefusesBadOptions) {
