@@ -56,12 +56,27 @@ void take(const nlohmann::json& message, const LivePlanner& planner,
   sailed.push_back(*due);
 }
 
+// The JSON library's words without its own name and number.
+std::string reason(const nlohmann::json::exception& e) {
+  const std::string text = e.what();
+  const auto at = text.find("] ");
+  const char* what =
+      e.id < 200 ? "the line is not JSON: " : "a field is missing or no such value: ";
+  return what + (at == std::string::npos ? text : text.substr(at + 2));
+}
+
 }  // namespace
 
 std::vector<SurveyTrack> run_live(std::istream& in, std::ostream& out, const SurveyBox& box,
                                   const Frame& frame, const LivePlanner& planner) {
   std::vector<SurveyTrack> sailed;
   const auto answer = [&](const Json& message) { out << message.dump() << std::endl; };
+  const auto refuse = [&](const std::string& why) {
+    Json error{{"type", "error"}, {"message", why}};
+    if (const auto due = planner.next()) error["due"] = due->number;
+    // The parser quotes the offending bytes, which need not be UTF-8.
+    out << error.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
+  };
   answer(state_message(box, frame, planner, sailed));
   std::string line;
   while (std::getline(in, line)) {
@@ -71,12 +86,10 @@ std::vector<SurveyTrack> run_live(std::istream& in, std::ostream& out, const Sur
       const bool repeat = message.is_object() && message.value("repeat", false);
       if (!repeat) take(message, planner, sailed);
       answer(state_message(box, frame, planner, sailed));
+    } catch (const nlohmann::json::exception& e) {
+      refuse(reason(e));
     } catch (const std::exception& e) {
-      Json error{{"type", "error"}};
-      // The parser quotes the offending bytes, which need not be UTF-8.
-      error["message"] = e.what();
-      if (const auto due = planner.next()) error["due"] = due->number;
-      out << error.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
+      refuse(e.what());
     }
   }
   return sailed;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -32,7 +33,7 @@ struct SpacingCommand {
   int missions = 20;
 };
 
-// 'range,p' a line, '#' starts a comment; a first line of words is a heading.
+// 'range,p' a line, '#' starts a comment; a first line that starts with a letter is a heading.
 DetectionCurve read_curve(const std::filesystem::path& path) {
   std::ifstream in(path);
   if (!in) throw InvalidInput(fmt::format("{} cannot be opened", path.string()));
@@ -40,18 +41,22 @@ DetectionCurve read_curve(const std::filesystem::path& path) {
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
-    std::replace(line.begin(), line.end(), ',', ' ');
+    if (number == 1 && std::isalpha(static_cast<unsigned char>(line[0])) != 0) continue;
     std::istringstream fields(line);
     double range = 0.0;
     double p = 0.0;
+    char comma = 0;
     std::string rest;
-    if (!(fields >> range >> p) || (fields >> rest)) {
-      if (number == 1) continue;
+    if (!(fields >> range >> comma >> p) || comma != ',' || (fields >> rest)) {
       throw InvalidInput(fmt::format("{} line {}: '{}' is not 'range_m,p'", path.string(), number,
                                      line.substr(0, 60)));
     }
     curve.range_m.push_back(range);
     curve.p.push_back(p);
+  }
+  if (curve.p.empty()) {
+    throw InvalidInput(
+        fmt::format("{} holds no P(y) curve; give a line 'range_m,p' per point", path.string()));
   }
   check(curve, path.string());
   return curve;

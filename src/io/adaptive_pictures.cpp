@@ -220,6 +220,10 @@ void write_waterfall_png(const std::filesystem::path& path, const SideScanImage&
 
 SideScanImage read_waterfall_png(const std::filesystem::path& path, double pixel_m, double row_m,
                                  double nadir_gap_m) {
+  // OpenCV would say so on stderr in its own words.
+  if (!std::filesystem::is_regular_file(path)) {
+    throw InvalidInput(fmt::format("{} is no file that can be opened", path.string()));
+  }
   const cv::Mat grey = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
   if (grey.empty() || grey.cols % 2 != 0) {
     throw InvalidInput(

@@ -78,8 +78,7 @@ std::optional<double> next_across(const AccordionState& state) {
 }
 
 void check_map(const CostMap& map, const AccordionOptions& o, int track, const char* side) {
-  if (map.rows < 1 || map.columns < 1 ||
-      map.values.size() != static_cast<std::size_t>(map.rows) * map.columns) {
+  if (map.rows < 1 || map.columns < 1 || map.values.size() != map.index(map.rows, 0)) {
     throw InvalidInput(
         fmt::format("track {}: the {} cost map has {} values for {} rows x {} "
                     "columns; give rows x columns of them, at least one",
@@ -112,7 +111,7 @@ std::vector<Interval> object_runs(const CostMap& map, const AccordionOptions& o)
     if (low > reach - kSamePlace) break;
     bool hot = false;
     for (int r = 0; r < map.rows && !hot; ++r) {
-      hot = map.values[static_cast<std::size_t>(r) * map.columns + c] > o.threshold;
+      hot = map.values[map.index(r, c)] > o.threshold;
     }
     if (hot && !open) runs.push_back({low, low});
     if (hot) runs.back().high = std::min(low + map.step_m, reach);

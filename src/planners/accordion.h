@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -38,6 +39,12 @@ struct CostMap {
   int rows = 0, columns = 0;
   double first_m = 0.0, step_m = 1.0;
   std::vector<float> values;  ///< rows x columns, row by row
+
+  /// Index of a value; rows x columns is index(rows, 0).
+  [[nodiscard]] std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
 };
 /// What a finished track saw towards the start (`back`) and towards the far edge (`ahead`).
 struct AccordionObservation {

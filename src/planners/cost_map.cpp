@@ -101,10 +101,10 @@ void wipe_small(cv::Mat& cost, double pixel_area, const CostMapOptions& o) {
 CostMap gathered(const std::vector<float>& costs, const SideScanImage& image, double row_m) {
   const int per_row = pixels(row_m, image.row_m);
   CostMap map{(image.rows + per_row - 1) / per_row, image.columns, 0.0, image.pixel_m, {}};
-  map.values.assign(static_cast<std::size_t>(map.rows) * map.columns, 0.0F);
+  map.values.assign(map.index(map.rows, 0), 0.0F);
   for (int r = 0; r < image.rows; ++r) {
-    const auto to = static_cast<std::size_t>(r / per_row) * map.columns;
-    const auto from = static_cast<std::size_t>(r) * image.columns;
+    const auto to = map.index(r / per_row, 0);
+    const auto from = static_cast<std::size_t>(r) * static_cast<std::size_t>(image.columns);
     for (std::size_t c = 0; c < static_cast<std::size_t>(image.columns); ++c) {
       map.values[to + c] = std::max(map.values[to + c], costs[from + c]);
     }
@@ -117,7 +117,8 @@ CostMap gathered(const std::vector<float>& costs, const SideScanImage& image, do
 std::vector<float> pixel_costs(const SideScanImage& image, bool port, const CostMapOptions& o) {
   check(o);
   std::vector<float> pixels_of_side = port ? image.port : image.starboard;
-  const auto size = static_cast<std::size_t>(std::max(0, image.rows)) * std::max(0, image.columns);
+  const auto size = static_cast<std::size_t>(std::max(0, image.rows)) *
+                    static_cast<std::size_t>(std::max(0, image.columns));
   if (size == 0 || pixels_of_side.size() != size) {
     throw InvalidInput(
         fmt::format("a side-scan image of {} x {} pixels with {} values on its {} "
@@ -163,7 +164,7 @@ void fill_nadir(AccordionObservation& observation, const NadirHeights& heights,
       const int column = port ? half - 1 - c : c - half;
       const int row = r / per_row;
       if (column >= map.columns || row >= map.rows) continue;
-      float& value = map.values[static_cast<std::size_t>(row) * map.columns + column];
+      float& value = map.values[map.index(row, column)];
       value = std::max(value, cost.at<float>(r, c));
     }
   }

@@ -45,7 +45,7 @@ ResidualRiskMap residual_risk(std::span<const SurveyTrack> tracks, const Detecti
   map.columns = static_cast<int>(std::floor(o.width_m / o.cell_m + 1e-9));
   map.rows = static_cast<int>(std::floor(o.length_m / o.cell_m + 1e-9));
   map.cell_m = o.cell_m;
-  map.risk.assign(static_cast<std::size_t>(map.columns) * map.rows, 1.0);
+  map.risk.assign(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows), 1.0);
   SeededNumbers numbers(o.seed);
   for (const SurveyTrack& track : tracks) {
     for (int c = 0; c < map.columns; ++c) {
@@ -53,7 +53,7 @@ ResidualRiskMap residual_risk(std::span<const SurveyTrack> tracks, const Detecti
       if (p <= 0.0) continue;
       for (int r = 0; r < map.rows; ++r) {
         const double noisy = o.scatter > 0.0 ? p * (1.0 + o.scatter * numbers.normal()) : p;
-        const auto cell = static_cast<std::size_t>(r) * map.columns + c;
+        const auto cell = static_cast<std::size_t>(r * map.columns + c);
         // A look always leaves some chance either way: 1 is kept for cells without data.
         map.risk[cell] *= 1.0 - std::clamp(noisy, 1e-6, 1.0 - 1e-6);
       }
@@ -124,6 +124,7 @@ std::vector<MixtureComponent> fitted_mixture(std::span<const double> values, int
   const cv::Mat fitted = em->getMeans();
   const cv::Mat weights = em->getWeights();
   std::vector<MixtureComponent> result;
+  result.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) {
     result.push_back({fitted.at<double>(k),
                       std::sqrt(covariances[static_cast<std::size_t>(k)].at<double>(0)),

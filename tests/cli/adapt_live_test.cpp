@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -130,10 +131,37 @@ TEST(AdaptLive, QualityRefusesTheWrongLength) {
   EXPECT_THAT(outcome.lines[1], HasSubstr("give 11"));
 }
 
+TEST(AdaptLive, ErrorsSayWhatIsWrongInPlainWords) {
+  const auto folder = scratch("live-words");
+  const auto outcome = run("quality live --width 200 --length 300 -o " + folder.string(),
+                           "{\"track\":0,\"port\":[NaN]}\n"
+                           "{\"track\":0,\"port\":[null],\"starboard\":[1]}\n"
+                           "{\"track\":0,\"starboard\":[1]}\n"
+                           "{\"track\":99999999999999999999}\n");
+  ASSERT_EQ(outcome.code, 0);
+  ASSERT_EQ(outcome.lines.size(), 5U);
+  EXPECT_THAT(outcome.lines[1], HasSubstr("the line is not JSON"));
+  EXPECT_THAT(outcome.lines[2], HasSubstr("must be number, but is null"));
+  EXPECT_THAT(outcome.lines[3], HasSubstr("'port' not found"));
+  EXPECT_THAT(outcome.lines[4], HasSubstr("whole number"));
+  for (const auto& line : outcome.lines) EXPECT_THAT(line, testing::Not(HasSubstr("exception")));
+}
+
+TEST(AdaptLive, AMissingImageIsAnswered) {
+  const auto folder = scratch("live-image");
+  const auto outcome = run("accordion live " + (kSmall + folder.string()),
+                           "{\"track\":0,\"image\":\"no-such.png\"}\n" + cost(0, 0.1));
+  ASSERT_EQ(outcome.lines.size(), 3U);
+  EXPECT_THAT(outcome.lines[1], HasSubstr("no-such.png is no file"));
+  EXPECT_THAT(outcome.lines[2], HasSubstr(R"("track":1)"));
+}
+
 TEST(AdaptCommand, BadOptionsAreUsageErrors) {
   for (const char* arguments :
        {"spacing simulate --range 100", "spacing simulate --width 20",
+        "spacing simulate --nadir -3", "spacing simulate --threshold 1.5",
         "quality simulate --turn-width -3", "quality simulate --constraint strict",
+        "quality simulate --width 100", "accordion simulate --nadir-gap 50",
         "accordion simulate --width 0", "accordion simulate --p-obj 1.5",
         "accordion simulate --rule brave", "accordion simulate --start-corner north"}) {
     const auto outcome = run(arguments);
@@ -144,7 +172,8 @@ TEST(AdaptCommand, BadOptionsAreUsageErrors) {
 
 TEST(AdaptCommand, BadCurveFilesAreDataErrors) {
   const auto folder = scratch("curve");
-  for (const char* text : {"", "40,0.5\n30,0.4\n", "40,1.5\n", "40,0.5\nnonsense\n", "40,nan\n"}) {
+  for (const char* text : {"", "range_m,p\n", "40,0.5\n30,0.4\n", "40,1.5\n", "40,-0.1\n",
+                           "40,0.5\nnonsense\n", "40,nan\n", "40;0.5\n"}) {
     std::ofstream(folder / "curve.csv") << text;
     const auto outcome = run("spacing simulate --curve " + (folder / "curve.csv").string());
     EXPECT_EQ(outcome.code, 1) << text;
@@ -169,6 +198,26 @@ TEST(AdaptStudy, ResumesToTheSameResult) {
   const auto other = run(study + "2 --seed 2 -o " + torn.string());
   EXPECT_EQ(other.code, 2);
   EXPECT_THAT(other.lines.at(0), HasSubstr("other settings"));
+}
+
+// Killed in the midst of its work, as by a power cut: nothing but finished cells is left, and the
+// same command ends with the bytes of a study that was never disturbed.
+TEST(AdaptStudy, SurvivesBeingKilled) {
+  const auto whole = scratch("study-undisturbed");
+  const auto killed = scratch("study-killed");
+  const std::string study = "quality study --width 600 --missions 2 --quiet -o ";
+  ASSERT_EQ(run(study + whole.string()).code, 0);
+  const std::string journal = (killed / "quality.journal").string();
+  const std::string script = std::string(SWATHPLAN_PROGRAM) + " adapt " + study + killed.string() +
+                             " & pid=$!; until [ \"$(wc -l < " + journal +
+                             " 2>/dev/null || echo 0)\" -ge 4 ]; do kill -0 $pid || break; done "
+                             "2>/dev/null; kill -9 $pid 2>/dev/null; wait $pid 2>/dev/null; true";
+  ASSERT_EQ(std::system(script.c_str()), 0);
+  const std::string left = contents(journal);
+  EXPECT_GE(std::count(left.begin(), left.end(), '\n'), 4);
+  ASSERT_EQ(run(study + killed.string()).code, 0);
+  EXPECT_EQ(contents(killed / "quality.csv"), contents(whole / "quality.csv"));
+  EXPECT_EQ(contents(killed / "quality.png"), contents(whole / "quality.png"));
 }
 
 }  // namespace
