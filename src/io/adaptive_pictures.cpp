@@ -193,6 +193,7 @@ void write_chart_png(const std::filesystem::path& path, const Chart& chart) {
 void write_tracks_png(const std::filesystem::path& path,
                       const std::vector<TrackPicture>& pictures) {
   std::vector<cv::Mat> images;
+  images.reserve(pictures.size());
   for (const TrackPicture& picture : pictures) images.push_back(drawn(picture));
   cv::Mat all;
   cv::vconcat(images, all);
