@@ -20,7 +20,7 @@ namespace {
 struct Frontier {
   int first = 0;
   std::uint64_t beyond = 0;
-  auto operator<=>(const Frontier&) const = default;
+  auto operator<=>(const Frontier&) const = default;  // NOLINT(modernize-use-nullptr): its bug
 };
 
 struct Step {

@@ -18,7 +18,9 @@ double single_width_m(double range, double nadir) { return range - nadir; }
 
 // Width that `count` tracks of a plan cover.
 double planned_width_m(int count, double range, double nadir) {
-  return (count / 2) * pair_width_m(range, nadir) + (count % 2) * single_width_m(range, nadir);
+  const int pairs = count / 2;
+  const int singles = count % 2;
+  return pairs * pair_width_m(range, nadir) + singles * single_width_m(range, nadir);
 }
 
 // Decides the pair that starts at the edge: its range, whether it is a single track, its place.
