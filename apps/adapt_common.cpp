@@ -151,7 +151,7 @@ void write_mission(const AdaptOutput& output, const MissionOutput& mission, cons
   std::vector<PlannedSurvey> surveys;
   surveys.push_back({mission.planner, mission.label, std::move(plan), std::move(scored), 0.0, 0.0});
   write_survey(output.folder, surveys[0], site, options, mission.provenance);
-  write_survey_report(output.folder / "report.html", mission.label, surveys, site,
+  write_survey_report(output.folder / "report.html", mission.label, surveys, site, options,
                       mission.provenance);
   if (output.json) {
     fmt::print("{}\n", json.dump(2));
