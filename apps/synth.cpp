@@ -18,12 +18,13 @@ Seafloor make(const SynthCommand& c) {
   if (c.shape == "saddle") return saddle();
   if (c.shape == "shaft") return shaft();
   if (c.shape == "harbour") return harbour();
+  if (c.shape == "sea") return sea();
   if (c.shape == "flat") return flat(c.width_m, c.height_m, c.depth_m);
   if (c.shape == "tilted")
     return tilted(c.width_m, c.height_m, c.depth_m, Angle::degrees(c.slope_deg));
   if (c.shape == "stepped") return stepped(c.width_m, c.height_m, c.depth_m, c.depth_east_m);
   throw UsageError(fmt::format(
-      "synth '{}': no such seafloor; choose saddle, shaft, harbour, flat, tilted or stepped",
+      "synth '{}': no such seafloor; choose saddle, shaft, harbour, sea, flat, tilted or stepped",
       c.shape));
 }
 
@@ -32,7 +33,7 @@ Seafloor make(const SynthCommand& c) {
 void add_synth_command(CLI::App& app) {
   auto* sub = app.add_subcommand("synth", "Write a synthetic seafloor");
   auto command = std::make_shared<SynthCommand>();
-  sub->add_option("SHAPE", command->shape, "saddle, shaft, harbour, flat, tilted or stepped")
+  sub->add_option("SHAPE", command->shape, "saddle, shaft, harbour, sea, flat, tilted or stepped")
       ->required();
   sub->add_option("-o,--output", command->file,
                   "File: .obj (any shape), .asc or .tif (shapes on a square lattice)")

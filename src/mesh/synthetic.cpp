@@ -96,6 +96,15 @@ double harbour_depth(double x, double y) {
   return std::clamp(depth, 3.0, 26.0);
 }
 
+/// A shelf that deepens to the south-west, with three shoals and a basin.
+double sea_depth(double x, double y) {
+  const double shelf = 195.3 - 70.0 * ramp(-2000.0, 11300.0, y) - 40.0 * ramp(-1500.0, 9000.0, x);
+  const double shoals = 129.4 * bell(x, y, 4300.0, 3100.0, 900.0) +
+                        62.0 * bell(x, y, 1700.0, 6100.0, 800.0) +
+                        44.0 * bell(x, y, 6000.0, 7300.0, 950.0);
+  return shelf - shoals + 21.1 * bell(x, y, 1200.0, 1500.0, 1300.0);
+}
+
 void check_size(double width, double height, double depth) {
   if (!(width > 0.0 && height > 0.0 && depth > 0.0)) {
     throw UsageError("--width, --height and --depth must be above 0 metres");
@@ -136,6 +145,11 @@ Seafloor harbour() {
                         if (harbour_land(x, y)) return std::nullopt;
                         return -harbour_depth(x, y);
                       });
+}
+
+Seafloor sea() {
+  return height_field(even(0.0, 50.0, 149), even(0.0, 50.0, 187),
+                      [](double x, double y) { return -sea_depth(x, y); });
 }
 
 Seafloor flat(double width, double height, double depth) {

@@ -14,6 +14,9 @@ namespace swathplan {
 /// A harbour of about 300 x 400 m, 3 to 26 m deep: quay walls, a mole, a dredged channel, a
 /// basin, a shoal and an island; sampled each 2 m.
 [[nodiscard]] Seafloor harbour();
+/// An open sea of 7.4 x 9.3 km, 20 to 200 m deep: a shelf with three smooth shoals and a basin, no
+/// slope over 6 degrees; sampled each 50 m.
+[[nodiscard]] Seafloor sea();
 /// width x height metres, lower-left corner at the origin, `depth` everywhere, sampled each metre
 /// or coarser so that no more than 250,000 nodes arise.
 [[nodiscard]] Seafloor flat(double width, double height, double depth);

@@ -19,7 +19,7 @@ class Marcher {
     front_.label.assign(raster.size(), kNoLabel);
   }
 
-  Front run(const std::vector<FrontCell>& from) {
+  Front run(const std::vector<FrontCell>& from, double farthest) {
     for (const FrontCell& f : from) {
       if (open(f.cell)) offer(f.cell, static_cast<float>(f.value), f.label);
     }
@@ -27,6 +27,7 @@ class Marcher {
       const auto [u, i] = heap_.top();
       heap_.pop();
       if (settled_[i] != 0 || u > front_.u[i]) continue;
+      if (static_cast<double>(u) > farthest) break;
       settled_[i] = 1;
       for (const std::size_t n : neighbours(i)) {
         if (open(n) && settled_[n] == 0) update(n);
@@ -81,8 +82,8 @@ class Marcher {
 }  // namespace
 
 Front march(const WaterRaster& raster, const std::vector<float>& width,
-            const std::vector<FrontCell>& from) {
-  return Marcher(raster, width).run(from);
+            const std::vector<FrontCell>& from, double farthest) {
+  return Marcher(raster, width).run(from, farthest);
 }
 
 }  // namespace swathplan

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "planners/water_raster.h"
@@ -23,8 +24,9 @@ inline constexpr std::uint32_t kNoLabel = 0xFFFFFFFFU;
 /// Solves |grad u| = 1/width over the cells of the area by first-order fast marching on the four
 /// neighbours: u counts swath widths from the front. Cells outside the area, or with width 0, stop
 /// it. Equal values are settled in the order of their cells, so the result is one.
-/// Cost: O(n log n). Method: [sethian-fmm].
+/// The front stops where u exceeds `farthest`. Cost: O(n log n). Method: [sethian-fmm].
 [[nodiscard]] Front march(const WaterRaster& raster, const std::vector<float>& width,
-                          const std::vector<FrontCell>& from);
+                          const std::vector<FrontCell>& from,
+                          double farthest = std::numeric_limits<double>::infinity());
 
 }  // namespace swathplan

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 #include "planners/level_lines.h"
 
@@ -95,25 +96,62 @@ std::vector<FieldWall> long_walls(const Area& area, double tolerance_m, std::siz
   return walls;
 }
 
-std::vector<SurveyCurve> field_lines(const WaterRaster& raster, const std::vector<float>& width,
-                                     const AreaQuery& lines_in, const FieldWall& wall,
-                                     double tolerance_m, const FieldLinesOptions& options) {
-  const Front front = march(raster, width, front_of(raster, width, wall, tolerance_m));
+std::vector<FrontCell> front_along(const WaterRaster& raster, const std::vector<float>& width,
+                                   const std::vector<SurveyCurve>& curves) {
+  // Metres from each cell near a curve; marched cells farther off get theirs from these.
+  constexpr double kReachOfCell = 1.5;
+  constexpr double kStepOfCell = 0.1;
+  std::vector<FrontCell> cells;
+  std::unordered_map<std::size_t, std::size_t> known;
+  const double reach = kReachOfCell * raster.cell_m();
+  for (const SurveyCurve& curve : curves) {
+    for (const Vec2& p : resampled(curve, kStepOfCell * raster.cell_m()).points) {
+      for (double dy = -1.0; dy <= 1.0; dy += 1.0) {
+        for (double dx = -1.0; dx <= 1.0; dx += 1.0) {
+          const auto i = raster.cell_at(p + raster.cell_m() * Vec2(dx, dy));
+          if (!i || !raster.in_area(*i) || !(width[*i] > 0.0F)) continue;
+          const double metres = (raster.centre(*i) - p).norm();
+          if (metres > reach) continue;
+          const double value = metres / static_cast<double>(width[*i]);
+          const auto [it, fresh] = known.try_emplace(*i, cells.size());
+          if (fresh) cells.push_back({*i, value, 0});
+          cells[it->second].value = std::min(cells[it->second].value, value);
+        }
+      }
+    }
+  }
+  return cells;
+}
+
+std::vector<SurveyCurve> front_lines(const WaterRaster& raster, const Front& front, double first,
+                                     double spacing, double step_m, int smooth_passes) {
   double farthest = 0.0;
   for (const float u : front.u) {
     if (std::isfinite(u)) farthest = std::max(farthest, static_cast<double>(u));
   }
   std::vector<SurveyCurve> lines;
+  for (int k = 0; first + k * spacing < farthest; ++k) {
+    for (const SurveyCurve& chain : level_lines(raster, front.u, first + k * spacing)) {
+      lines.push_back(smoothed(resampled(chain, step_m), smooth_passes));
+    }
+  }
+  return lines;
+}
+
+std::vector<SurveyCurve> field_lines(const WaterRaster& raster, const std::vector<float>& width,
+                                     const AreaQuery& lines_in, const FieldWall& wall,
+                                     double tolerance_m, const FieldLinesOptions& options) {
+  const Front front = march(raster, width, front_of(raster, width, wall, tolerance_m));
+  std::vector<SurveyCurve> lines;
   constexpr int kParts = static_cast<int>(kCurveStep / kFieldStep + 0.5);
-  for (double level = 0.5 * options.spacing; level < farthest; level += options.spacing) {
-    for (const SurveyCurve& chain : level_lines(raster, front.u, level)) {
-      const SurveyCurve smooth = smoothed(resampled(chain, kCurveStep), options.smooth_passes);
-      for (SurveyCurve& piece : clipped(splined(smooth, kParts), lines_in)) {
-        if (piece.points.size() < 3) continue;
-        const auto at = raster.cell_at(piece.points[piece.points.size() / 2]);
-        const double swath = at ? static_cast<double>(width[*at]) : 0.0;
-        if (length_m(piece) >= kShortestField * swath) lines.push_back(std::move(piece));
-      }
+  for (const SurveyCurve& smooth :
+       front_lines(raster, front, 0.5 * options.spacing, options.spacing, kCurveStep,
+                   options.smooth_passes)) {
+    for (SurveyCurve& piece : clipped(splined(smooth, kParts), lines_in)) {
+      if (piece.points.size() < 3) continue;
+      const auto at = raster.cell_at(piece.points[piece.points.size() / 2]);
+      const double swath = at ? static_cast<double>(width[*at]) : 0.0;
+      if (length_m(piece) >= kShortestField * swath) lines.push_back(std::move(piece));
     }
   }
   return lines;

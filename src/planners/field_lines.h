@@ -33,6 +33,17 @@ struct FieldLinesOptions {
                                                    double tolerance_m,
                                                    const FieldLinesOptions& options = {});
 
+/// Cells of the area near a curve, from which a front advances to both of its sides.
+[[nodiscard]] std::vector<FrontCell> front_along(const WaterRaster& raster,
+                                                 const std::vector<float>& width,
+                                                 const std::vector<SurveyCurve>& curves);
+
+/// The level sets u = first + k spacing, k = 0, 1, ..., with points `step_m` apart, smoothed by so
+/// many binomial passes. As they come: not cut to any area.
+[[nodiscard]] std::vector<SurveyCurve> front_lines(const WaterRaster& raster, const Front& front,
+                                                   double first, double spacing, double step_m,
+                                                   int smooth_passes);
+
 /// Integral of 1/W over the area: the least metres of line for gap-free coverage.
 [[nodiscard]] double least_line_m(const WaterRaster& raster, const std::vector<float>& width);
 

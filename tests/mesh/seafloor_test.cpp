@@ -98,6 +98,15 @@ TEST(Synthetic, HarbourIsAHarbour) {
   EXPECT_NEAR(size.y(), 400, 20);
 }
 
+TEST(Synthetic, SeaIsWideSmoothAndTwentyToTwoHundredMetresDeep) {
+  const Seafloor floor = sea();
+  const DepthRange range = depth_range(floor);
+  EXPECT_NEAR(range.min, 20.0, 0.3);
+  EXPECT_NEAR(range.max, 200.0, 0.3);
+  EXPECT_EQ(extent(floor).size(), Vec2(7400.0, 9300.0));
+  for (std::uint32_t f = 0; f < floor.faces.size(); ++f) EXPECT_LT(slope(floor, f).deg(), 6.0);
+}
+
 TEST(Synthetic, ImpossibleSizesAreRefused) {
   EXPECT_THROW(static_cast<void>(flat(0, 10, 5)), UsageError);
   EXPECT_THROW(static_cast<void>(tilted(10, 10, 5, Angle::degrees(90))), UsageError);
