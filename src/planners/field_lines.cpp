@@ -31,55 +31,6 @@ std::vector<FrontCell> front_of(const WaterRaster& raster, const std::vector<flo
   return cells;
 }
 
-SurveyCurve smoothed(SurveyCurve curve, int passes) {
-  auto& p = curve.points;
-  for (int pass = 0; pass < passes && p.size() > 2; ++pass) {
-    Vec2 before = p[0];
-    for (std::size_t i = 1; i + 1 < p.size(); ++i) {
-      const Vec2 here = p[i];
-      p[i] = 0.25 * before + 0.5 * here + 0.25 * p[i + 1];
-      before = here;
-    }
-  }
-  return curve;
-}
-
-/// Catmull-Rom through the points, `parts` chords between two of them.
-SurveyCurve splined(const SurveyCurve& curve, int parts) {
-  const auto& p = curve.points;
-  if (p.size() < 3) return resampled(curve, kFieldStep);
-  SurveyCurve result;
-  for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-    const Vec2& a = p[i > 0 ? i - 1 : 0];
-    const Vec2& d = p[std::min(i + 2, p.size() - 1)];
-    for (int k = 0; k < parts; ++k) {
-      const double t = static_cast<double>(k) / parts;
-      result.points.push_back(0.5 * (2.0 * p[i] + t * (p[i + 1] - a) +
-                                     t * t * (2.0 * a - 5.0 * p[i] + 4.0 * p[i + 1] - d) +
-                                     t * t * t * (3.0 * p[i] - a - 3.0 * p[i + 1] + d)));
-    }
-  }
-  result.points.push_back(p.back());
-  return result;
-}
-
-/// Maximal runs of points that lie where lines may run.
-std::vector<SurveyCurve> clipped(const SurveyCurve& curve, const AreaQuery& lines_in) {
-  std::vector<SurveyCurve> pieces(1);
-  for (const Vec2& p : curve.points) {
-    const bool in =
-        lines_in.contains(p) &&
-        (pieces.back().points.empty() || lines_in.inside_length(pieces.back().points.back(), p) >=
-                                             (p - pieces.back().points.back()).norm() - 1e-6);
-    if (in) {
-      pieces.back().points.push_back(p);
-    } else if (!pieces.back().points.empty()) {
-      pieces.emplace_back();
-    }
-  }
-  return pieces;
-}
-
 }  // namespace
 
 std::vector<FieldWall> long_walls(const Area& area, double tolerance_m, std::size_t at_most) {
@@ -143,11 +94,10 @@ std::vector<SurveyCurve> field_lines(const WaterRaster& raster, const std::vecto
                                      double tolerance_m, const FieldLinesOptions& options) {
   const Front front = march(raster, width, front_of(raster, width, wall, tolerance_m));
   std::vector<SurveyCurve> lines;
-  constexpr int kParts = static_cast<int>(kCurveStep / kFieldStep + 0.5);
   for (const SurveyCurve& smooth :
        front_lines(raster, front, 0.5 * options.spacing, options.spacing, kCurveStep,
                    options.smooth_passes)) {
-    for (SurveyCurve& piece : clipped(splined(smooth, kParts), lines_in)) {
+    for (SurveyCurve& piece : cut_to(splined(smooth, kFieldParts), lines_in)) {
       if (piece.points.size() < 3) continue;
       const auto at = raster.cell_at(piece.points[piece.points.size() / 2]);
       const double swath = at ? static_cast<double>(width[*at]) : 0.0;

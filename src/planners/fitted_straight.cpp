@@ -44,6 +44,13 @@ double row_at(const RowWidths& rows, double share) {
   return rows.first_m + rows.bin_m * (static_cast<double>(bin) + part);
 }
 
+/// The share of all swaths that lie behind row k of `count`.
+double share_behind(int k, int count, double total, const StraightLinesOptions& options) {
+  const double ends = options.end_swaths.value_or(0.0) / total;
+  if (!options.end_swaths || count < 2 || ends >= 0.5) return (k + options.phase) / count;
+  return ends + (1.0 - 2.0 * ends) * k / (count - 1);
+}
+
 /// Intervals of both lists, which are sorted.
 std::vector<std::pair<double, double>> both(const std::vector<std::pair<double, double>>& a,
                                             const std::vector<std::pair<double, double>>& b) {
@@ -107,7 +114,7 @@ std::vector<SurveyCurve> fitted_straight_lines(const WaterRaster& raster,
   const Vec2 v = across(options.azimuth);
   const Range reach = range_along(raster, u);
   for (int k = 0; k < count; ++k) {
-    const double at = row_at(rows, (k + options.phase) / count);
+    const double at = row_at(rows, share_behind(k, count, rows.total(), options));
     const double before = row_at(rows, static_cast<double>(k) / count);
     const double after = row_at(rows, static_cast<double>(k + 1) / count);
     const Vec2 a = v * at + u * reach.low;

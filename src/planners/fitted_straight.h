@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "mesh/area_query.h"
 #include "planners/survey_curve.h"
 #include "planners/water_raster.h"
@@ -12,6 +14,9 @@ struct StraightLinesOptions {
   int lines = 0;             ///< rows to lay; 0: as many as W asks for, rounded up
   double phase = 0.5;        ///< of the first row in its swath, (0, 1); 0.5: in the middle
   double inset_m = 0.05;     ///< lines stop this far before the area's outline
+  /// The first and the last row lie so many swaths off the area's edges, those between them evenly
+  /// in swaths; empty: by `phase`.
+  std::optional<double> end_swaths = {};
 };
 
 /// What straight lines of one direction would need.

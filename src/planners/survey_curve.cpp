@@ -38,4 +38,57 @@ SurveyCurve resampled(const SurveyCurve& curve, double step_m) {
 
 SurveyCurve straight_curve(const Vec2& a, const Vec2& b) { return resampled({{a, b}}, kCurveStep); }
 
+SurveyCurve smoothed(SurveyCurve curve, int passes) {
+  auto& p = curve.points;
+  for (int pass = 0; pass < passes && p.size() > 2; ++pass) {
+    Vec2 before = p[0];
+    for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+      const Vec2 here = p[i];
+      p[i] = 0.25 * before + 0.5 * here + 0.25 * p[i + 1];
+      before = here;
+    }
+  }
+  return curve;
+}
+
+SurveyCurve splined(const SurveyCurve& curve, int parts) {
+  const auto& p = curve.points;
+  if (p.size() < 3) return resampled(curve, kCurveStep / parts);
+  SurveyCurve result;
+  for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+    const Vec2& a = p[i > 0 ? i - 1 : 0];
+    const Vec2& d = p[std::min(i + 2, p.size() - 1)];
+    for (int k = 0; k < parts; ++k) {
+      const double t = static_cast<double>(k) / parts;
+      result.points.push_back(0.5 * (2.0 * p[i] + t * (p[i + 1] - a) +
+                                     t * t * (2.0 * a - 5.0 * p[i] + 4.0 * p[i + 1] - d) +
+                                     t * t * t * (3.0 * p[i] - a - 3.0 * p[i + 1] + d)));
+    }
+  }
+  result.points.push_back(p.back());
+  return result;
+}
+
+std::vector<SurveyCurve> cut_to(const SurveyCurve& curve, const AreaQuery& area) {
+  constexpr double kWhole = 1e-9;  // parameters of a segment this near to 0 or 1 are its ends
+  std::vector<SurveyCurve> parts;
+  bool goes_on = false;
+  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+    const Vec2& a = curve.points[i];
+    const Vec2& b = curve.points[i + 1];
+    bool reaches_end = false;
+    for (const auto& [t0, t1] : area.clip(a, b)) {
+      if (!(goes_on && t0 < kWhole)) parts.push_back({{a + t0 * (b - a)}});
+      parts.back().points.push_back(a + t1 * (b - a));
+      reaches_end = t1 > 1.0 - kWhole;
+    }
+    goes_on = reaches_end;
+  }
+  return parts;
+}
+
+bool is_closed(const SurveyCurve& curve) {
+  return curve.points.size() > 3 && curve.points.front() == curve.points.back();
+}
+
 }  // namespace swathplan

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "coverage/route.h"
+#include "mesh/area_query.h"
 
 namespace swathplan {
 
@@ -19,5 +20,14 @@ inline constexpr double kCurveStep = 1.0;
 [[nodiscard]] SurveyCurve resampled(const SurveyCurve& curve, double step_m);
 /// The straight curve from a to b.
 [[nodiscard]] SurveyCurve straight_curve(const Vec2& a, const Vec2& b);
+
+/// The curve after so many passes of a binomial filter over its points; ends kept.
+[[nodiscard]] SurveyCurve smoothed(SurveyCurve curve, int passes);
+/// Catmull-Rom through the points, in `parts` chords between two of them.
+[[nodiscard]] SurveyCurve splined(const SurveyCurve& curve, int parts);
+/// The maximal parts of the curve inside the area.
+[[nodiscard]] std::vector<SurveyCurve> cut_to(const SurveyCurve& curve, const AreaQuery& area);
+/// True where the curve ends where it begins.
+[[nodiscard]] bool is_closed(const SurveyCurve& curve);
 
 }  // namespace swathplan

@@ -187,6 +187,24 @@ std::vector<SweptLine> swept(const std::vector<SurveyCurve>& lines, const SweptG
   return result;
 }
 
+SurveyCurve carried_on(SurveyCurve curve, double share, const SweptGround& ground,
+                       const AreaQuery& lines_in) {
+  auto& p = curve.points;
+  if (!(share > 0.0) || p.size() < 2 || is_closed(curve)) return curve;
+  // The course of the last few points: that of the last two alone is rough.
+  const std::size_t back = std::min<std::size_t>(3, p.size() - 1);
+  const auto end = [&](const Vec2& at, const Vec2& behind) {
+    const Vec2 on = at + share * ground.width_m(at) * (at - behind).normalized();
+    const auto parts = lines_in.clip(at, on);
+    return parts.empty() || parts[0].first > 1e-6 ? at : Vec2(at + parts[0].second * (on - at));
+  };
+  const Vec2 first = end(p.front(), p[back]);
+  const Vec2 last = end(p.back(), p[p.size() - 1 - back]);
+  if (first != p.front()) p.insert(p.begin(), first);
+  if (last != p.back()) p.push_back(last);
+  return curve;
+}
+
 LinesFigures judge_lines(const std::vector<SweptLine>& lines, const SweptGround& ground) {
   const WaterRaster& raster = ground.raster();
   LinesFigures figures;

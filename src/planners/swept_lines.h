@@ -57,13 +57,18 @@ inline constexpr double kSweepStepOfCell = 0.7;
 [[nodiscard]] std::vector<SweptLine> swept(const std::vector<SurveyCurve>& lines,
                                            const SweptGround& ground);
 
+/// The curve carried on straight at both ends for `share` x W, as far as lines may run there.
+/// Closed curves stay as they are.
+[[nodiscard]] SurveyCurve carried_on(SurveyCurve curve, double share, const SweptGround& ground,
+                                     const AreaQuery& lines_in);
+
 /// What lines come to, their turns left out.
 struct LinesFigures {
   std::size_t lines = 0;
   double length_m = 0.0;
-  double least_m = 0.0;    ///< integral of 1/W over the area
-  double missed = 0.0;     ///< share of the area's cells that no line sweeps
-  double overlap = 0.0;    ///< lines per swept cell, less 1
+  double least_m = 0.0;  ///< integral of 1/W over the area
+  double missed = 0.0;   ///< share of the area's cells that no line sweeps
+  double overlap = 0.0;  ///< lines per swept cell, less 1
   [[nodiscard]] double ratio() const { return least_m > 0.0 ? length_m / least_m : 0.0; }
 };
 [[nodiscard]] LinesFigures judge_lines(const std::vector<SweptLine>& lines,
