@@ -10,6 +10,7 @@ void add_inspect_command(CLI::App& app);
 void add_synth_command(CLI::App& app);
 void add_plan_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
+void add_lines_command(CLI::App& app);
 void add_score_command(CLI::App& app);
 
 }  // namespace swathplan

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   swathplan::add_synth_command(app);
   swathplan::add_plan_command(app);
   swathplan::add_compare_command(app);
+  swathplan::add_lines_command(app);
   swathplan::add_score_command(app);
   swathplan::add_adapt_command(app);
   try {

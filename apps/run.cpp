@@ -8,6 +8,7 @@
 #include "apps/progress.h"
 #include "mesh/error.h"
 #include "planners/back_and_forth.h"
+#include "planners/edge_following.h"
 #include "planners/fitted_lines.h"
 #include "planners/mdnuc.h"
 #include "planners/multi_depth.h"
@@ -25,6 +26,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 const std::vector<Planner>& planners() {
   static const std::vector<Planner> list{
       {"back-and-forth", "B&F", plan_back_and_forth},
+      {"edge-following", "edge-following", plan_edge_following},
       {"multi-depth", "MDB&F", plan_multi_depth},
       {"nuc", "NUC", plan_nuc},
       {"mdnuc", "MDNUC", plan_mdnuc},

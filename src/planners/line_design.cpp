@@ -13,6 +13,7 @@
 #include "planners/field_lines.h"
 #include "planners/fitted_straight.h"
 #include "planners/level_lines.h"
+#include "planners/line_order.h"
 #include "planners/survey_lines.h"
 
 namespace swathplan {
@@ -350,6 +351,8 @@ class Designer {
   std::vector<Candidate> candidates_;
 };
 
+}  // namespace
+
 void check(const LineDesignOptions& o) {
   if (!(o.overlap >= 0.0 && o.overlap <= 0.4)) {
     throw UsageError(
@@ -361,8 +364,6 @@ void check(const LineDesignOptions& o) {
   }
 }
 
-}  // namespace
-
 DesignGround::DesignGround(const PlanningGround& planning, Angle opening, double draft_m,
                            double most_cells)
     : raster(planning, most_cells),
@@ -373,6 +374,39 @@ DesignedLines design_lines(const PlanningGround& planning, const DesignGround& s
                            const DesignGround& judge, const LineDesignOptions& options) {
   check(options);
   return Designer(planning, search.swaths, options).run(judge.swaths);
+}
+
+Route route_of(const DesignedLines& designed, const Area& water, Angle opening,
+               const Vehicle& vehicle) {
+  std::vector<LineEnds> ends;
+  for (const SweptLine& line : designed.lines) {
+    const auto& p = line.points;
+    ends.push_back({p.front(), p.back(), (p[1] - p[0]).normalized(),
+                    (p[p.size() - 1] - p[p.size() - 2]).normalized()});
+  }
+  Route route;
+  int number = 0;
+  for (const OrderedLine& next :
+       line_order(ends, JoinCost(water, vehicle.turn_radius_m), std::nullopt)) {
+    std::vector<Vec2> points = designed.lines[next.line].points;
+    if (next.backwards) std::reverse(points.begin(), points.end());
+    Waypoint point;
+    point.line = ++number;
+    point.fan = FanAngles{opening / 2.0, opening / 2.0};
+    point.speed_mps = vehicle.speed_mps;
+    for (const Vec2& p : points) {
+      point.position = p;
+      route.waypoints.push_back(point);
+    }
+    Waypoint& last = route.waypoints.back();
+    last.kind = LegKind::transit;
+    last.log = false;
+    last.line.reset();
+    last.fan.reset();
+    last.speed_mps = vehicle.transit_speed_mps;
+  }
+  if (!route.waypoints.empty()) route.waypoints.back().kind = LegKind::end;
+  return route;
 }
 
 }  // namespace swathplan

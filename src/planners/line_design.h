@@ -35,6 +35,9 @@ struct DesignGround {
 };
 inline constexpr double kSearchCells = 4e5, kJudgeCells = 1.6e6;
 
+/// @throws UsageError that names the option, its value and the rule.
+void check(const LineDesignOptions& options);
+
 struct DesignedLines {
   std::vector<SweptLine> lines;
   LinesFigures figures;
@@ -51,5 +54,11 @@ struct DesignedLines {
 [[nodiscard]] DesignedLines design_lines(const PlanningGround& planning, const DesignGround& search,
                                          const DesignGround& judge,
                                          const LineDesignOptions& options);
+
+/// The lines in an order that keeps the way between them short (line_order.h), joined by straight
+/// transits with the sonar off: for charts and for planners that steer. Not steered, not kept off
+/// land.
+[[nodiscard]] Route route_of(const DesignedLines& designed, const Area& water, Angle opening,
+                             const Vehicle& vehicle);
 
 }  // namespace swathplan
