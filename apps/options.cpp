@@ -273,7 +273,8 @@ void add_planning_options(CLI::App& command, SurveyOptions& o) {
   command
       .add_option(
           "--line-margin", o.line_margin_pct,
-          "fitted-lines: per cent of the swath kept in reserve against drift and a wrong map")
+          "fitted-lines, edge-following: per cent of the swath kept in reserve against drift and a "
+          "wrong map")
       ->capture_default_str()
       ->group(group);
 }

@@ -132,6 +132,16 @@ TEST(BadOptions, NameOptionValueAndRule) {
   EXPECT_EQ(folder.run("--help").code, 0);
 }
 
+TEST(BadLinesOptions, NameOptionValueAndRule) {
+  const Folder folder;
+  const std::string lines = "lines " + dataset("saddle.asc") + " -o out ";
+  expect_refusal(folder, lines + "--method zigzag", 2, {"--method zigzag", "edge-following"});
+  expect_refusal(folder, lines + "--max-opening 180", 2, {"--max-opening 180", "180 degrees"});
+  expect_refusal(folder, lines + "--overlap 60", 2, {"--overlap 60", "40"});
+  expect_refusal(folder, lines + "--missed 0", 2, {"--missed 0"});
+  expect_refusal(folder, "lines nothing.asc -o out", 1, {"nothing.asc"});
+}
+
 TEST(BadRoutes, NameFileAndRow) {
   const Folder folder;
   const std::string file = dataset("saddle.asc");

@@ -137,6 +137,31 @@ TEST(Compare, HoldsFourPlannersAgainstEachOther) {
   }
 }
 
+TEST(Lines, WriteARouteAPictureAndFiguresThatAgree) {
+  const Folder folder;
+  ASSERT_EQ(
+      folder.run("synth tilted --width 600 --height 400 --depth 20 --slope 2 -o slope.asc").code,
+      0);
+  const auto run = folder.run("lines slope.asc --method straight,edge-following --draft 0 -o out");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json all = json_of(folder / "out" / "lines.json");
+  ASSERT_EQ(all.at("methods").size(), 2U);
+  for (const json& method : all.at("methods")) {
+    EXPECT_LE(method.at("missed_pct").get<double>(), 0.05);
+    EXPECT_GE(method.at("length_ratio_to_least").get<double>(), 1.0);
+    const auto sub = folder / "out" / method.at("method").get<std::string>();
+    EXPECT_TRUE(std::filesystem::exists(sub / "lines.png"));
+    EXPECT_EQ(folder
+                  .run("score slope.asc " + (sub / "route.csv").string() +
+                       " --resolution 2 --ping-spacing 2 --hit-only -o scored")
+                  .code,
+              0);
+    const json score = json_of(folder / "scored" / "score.json");
+    // Rays see what the swaths promised.
+    EXPECT_GT(score.at("coverage_hit_logged_pct").get<double>(), 97.0);
+  }
+}
+
 TEST(Plan, AreaAndNoGoAreHonoured) {
   const Folder folder;
   const auto polygon = [](double x0, double y0, double x1, double y1) {
