@@ -17,9 +17,9 @@ enum class LineMethod {
 
 struct LineDesignOptions {
   LineMethod method = LineMethod::automatic;
-  double overlap = 0.0;          ///< of its swath that a line shares with its neighbour, [0, 0.4]
-  double most_missed = 5e-4;     ///< share of the area, (0, 1)
-  std::optional<Angle> heading;  ///< of straight lines; empty: searched
+  double overlap = 0.0;       ///< of its swath that a line shares with its neighbour, [0, 0.4]
+  double most_missed = 5e-4;  ///< share of the area, (0, 1)
+  std::optional<Angle> heading = {};  ///< of straight lines; empty: searched
 };
 
 /// A seafloor at one fineness, as lines of one opening see it.
