@@ -99,7 +99,7 @@ void write_lines(const std::filesystem::path& folder, const DesignedLines& desig
   write_route_csv(folder / "route.csv", route, frame);
   write_route_geojson(folder, route, frame);
   write_lines_png(folder / "lines.png", judge.swaths, designed.lines,
-                  fmt::format("{}: {:.1f} km, {:.3f} of the least, {:.3f} % missed", designed.what,
+                  fmt::format("{}\n{:.1f} km, {:.3f} of the least, {:.3f} % missed", designed.what,
                               designed.figures.length_m / 1000.0, designed.figures.ratio(),
                               100.0 * designed.figures.missed));
 }

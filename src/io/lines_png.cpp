@@ -17,7 +17,7 @@ namespace {
 const cv::Scalar kInk(60, 48, 38), kPaper(255, 255, 255);
 const cv::Vec3b kOutside(228, 231, 233), kMissed(48, 48, 214);
 const cv::Vec3b kShoal(250, 244, 232), kDeep(190, 140, 92);
-constexpr int kMargin = 28, kHead = 44, kFoot = 70;
+constexpr int kMargin = 28, kHead = 62, kFoot = 70;
 /// Depths are drawn in so many steps: a smooth shade would make the file several times larger.
 constexpr double kSteps = 12.0;
 
@@ -102,7 +102,9 @@ cv::Mat framed(const Picture& drawn, const std::string& title) {
   const cv::Mat& map = drawn.map();
   cv::Mat picture(kHead + map.rows + kFoot, std::max(map.cols, 640) + 2 * kMargin, CV_8UC3, kPaper);
   map.copyTo(picture(cv::Rect((picture.cols - map.cols) / 2, kHead, map.cols, map.rows)));
-  text(picture, title, {kMargin, 28});
+  const std::size_t end = title.find('\n');
+  text(picture, title.substr(0, end), {kMargin, 26});
+  if (end != std::string::npos) text(picture, title.substr(end + 1), {kMargin, 48});
   const int base = kHead + map.rows + 46;
   text(picture,
        fmt::format("{:.0f} m (pale) to {:.0f} m deep (blue); missed: red", drawn.shoalest(),
