@@ -60,7 +60,9 @@ void run(const CompareCommand& command) {
 void add_compare_command(CLI::App& app) {
   auto* sub = app.add_subcommand("compare", "Plan with several planners: one table, one report");
   auto command = std::make_shared<CompareCommand>();
-  for (const Planner& p : planners()) command->planners.push_back(p.name);
+  for (const Planner& p : planners()) {
+    if (p.usual) command->planners.push_back(p.name);
+  }
   add_site_options(*sub, command->site);
   sub->add_option("--planners", command->planners, "Names, separated by commas")
       ->delimiter(',')

@@ -26,7 +26,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 const std::vector<Planner>& planners() {
   static const std::vector<Planner> list{
       {"back-and-forth", "B&F", plan_back_and_forth},
-      {"edge-following", "edge-following", plan_edge_following},
+      {"edge-following", "edge-following", plan_edge_following, false},
       {"multi-depth", "MDB&F", plan_multi_depth},
       {"nuc", "NUC", plan_nuc},
       {"mdnuc", "MDNUC", plan_mdnuc},

@@ -13,6 +13,7 @@ namespace swathplan {
 struct Planner {
   std::string name, label;
   Plan (*plan)(const PlanningGround&, const PlanOptions&);
+  bool usual = true;  ///< compared when no planners are named
 };
 [[nodiscard]] const std::vector<Planner>& planners();
 /// @throws UsageError for a name that is none, listing those that are.
