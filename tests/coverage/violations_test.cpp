@@ -13,7 +13,10 @@ namespace {
 
 Route through(const std::vector<Vec2>& points) {
   Route route;
-  for (const Vec2& p : points) route.waypoints.push_back({.position = p});
+  for (const Vec2& p : points) {
+    route.waypoints.emplace_back();
+    route.waypoints.back().position = p;
+  }
   route.waypoints.back().kind = LegKind::end;
   return route;
 }

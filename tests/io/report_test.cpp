@@ -150,6 +150,7 @@ TEST(Report, SaysWhereAPlanCannotBeSailedAndWhy) {
   Sample s;
   s.routes[0].waypoints[1].feasible = false;
   ReportSite site = s.site();
+  site.vehicle.turn_radius_m = 20.0;
   site.water = {{.outer = {{-40, -40}, {30, -40}, {30, 40}, {-40, 40}}, .holes = {}}};
   const json data = data_of(report_html(site, s.plans()));
   const json& found = data["plans"][0]["violations"];
@@ -159,8 +160,8 @@ TEST(Report, SaysWhereAPlanCannotBeSailedAndWhy) {
   EXPECT_NEAR(leg["length_m"].get<double>(), 25.6, 1e-6);
   EXPECT_NEAR(leg["x"].get<double>(), -40 + 25.6, 0.01);
   EXPECT_NEAR(leg["y"].get<double>(), 40.0, 0.01);
-  EXPECT_THAT(leg["reason"].get<std::string>(), HasSubstr("no forward way with turns of 1.5 m"));
-  // Corners of lines without a radius are turns that no vehicle makes.
+  EXPECT_THAT(leg["reason"].get<std::string>(), HasSubstr("no forward way with turns of 20 m"));
+  // The other turn, 25.6 m from line to line, is half of that at its corners.
   EXPECT_EQ(found["list"].back()["what"], "tight turn");
   EXPECT_NEAR(data["cut_off"]["area_m2"].get<double>(), 800.0, 1e-6);
   EXPECT_NEAR(data["cut_off"]["share_pct"].get<double>(), 12.5, 1e-6);
