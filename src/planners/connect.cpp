@@ -24,6 +24,8 @@ constexpr double kFineStep = 1.0 / 16.0;
 constexpr double kFineCut = 1.25;
 constexpr double kCutStep = 0.25;
 constexpr double kMostCut = 4.0;
+/// Times as many poses as else that the last search may take.
+constexpr int kPatience = 4;
 
 Pose turned_back(const Pose& pose) { return {pose.position, -pose.course}; }
 
@@ -57,6 +59,53 @@ std::vector<Cut> any_course(const Vec2& at) {
   }
   return result;
 }
+
+/// What is left to go along a taut way from near it.
+class TautWay {
+ public:
+  explicit TautWay(std::vector<Vec2> points) : points_(std::move(points)), left_(points_.size()) {
+    for (std::size_t i = points_.size() - 1; i-- > 0;) {
+      left_[i] = left_[i + 1] + (points_[i + 1] - points_[i]).norm();
+    }
+  }
+
+  /// Metres from p over the nearest of the way's points to its end.
+  [[nodiscard]] double to_go(const Vec2& p) const {
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i) best = std::min(best, by(i, p).metres);
+    return best;
+  }
+
+  /// The same over a point that p sees: where the way doubles back around a mole, its far end may
+  /// be near and yet a long way off.
+  [[nodiscard]] double to_go_in_sight(const Vec2& p, const AreaQuery& water) const {
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+      const Over over = by(i, p);
+      if (over.metres >= best) continue;
+      const double apart = (over.point - p).norm();
+      if (water.inside_length(p, over.point) >= apart - kHidden) best = over.metres;
+    }
+    return std::isfinite(best) ? best : left_.front() + (points_.front() - p).norm();
+  }
+
+ private:
+  static constexpr double kHidden = 0.5;  ///< metres of land that do not hide a point
+
+  struct Over {
+    double metres;
+    Vec2 point;
+  };
+  [[nodiscard]] Over by(std::size_t i, const Vec2& p) const {
+    const Vec2 u = points_[i + 1] - points_[i];
+    const double t = std::clamp((p - points_[i]).dot(u) / std::max(u.squaredNorm(), 1e-12), 0., 1.);
+    const Vec2 point = points_[i] + t * u;
+    return {(p - point).norm() + left_[i] - t * u.norm(), point};
+  }
+
+  std::vector<Vec2> points_;
+  std::vector<double> left_;
+};
 
 std::string at_text(const Vec2& p) { return fmt::format("({:.1f}, {:.1f})", p.x(), p.y()); }
 
@@ -105,7 +154,7 @@ struct Connector::Impl {
   [[nodiscard]] std::optional<Connection> by_curve(const std::vector<Cut>& from,
                                                    const std::vector<Cut>& to) const;
   [[nodiscard]] std::optional<Connection> by_way(const std::vector<Cut>& from,
-                                                 const std::vector<Cut>& to) const;
+                                                 const std::vector<Cut>& to, bool in_sight) const;
   [[nodiscard]] std::vector<Cut> ones_with_room(const std::vector<Cut>& all, bool leaving) const;
   [[nodiscard]] std::vector<Vec2> written(const std::vector<Pose>& poses) const;
 };
@@ -168,33 +217,23 @@ std::vector<Vec2> Connector::Impl::written(const std::vector<Pose>& poses) const
 }
 
 std::optional<Connection> Connector::Impl::by_way(const std::vector<Cut>& from,
-                                                  const std::vector<Cut>& to) const {
+                                                  const std::vector<Cut>& to, bool in_sight) const {
   const auto leave = ones_with_room(from, true);
   const auto arrive = ones_with_room(to, false);
   constexpr std::size_t kTries = 3;
-  for (std::size_t k = 0; k < kTries; ++k) {
+  for (std::size_t k = 0; k < (in_sight ? 1 : kTries); ++k) {
     if (leave.empty() || arrive.empty()) break;
     const Cut& a = leave[std::min(k * leave.size() / kTries, leave.size() - 1)];
     const Cut& b = arrive[std::min(k * arrive.size() / kTries, arrive.size() - 1)];
     const auto way = ways.find(a.pose.position, b.pose.position);
     if (!way) break;
-    // What is left to go along the taut way, from the point of it that is nearest.
-    std::vector<double> left(way->size(), 0.0);
-    for (std::size_t i = way->size() - 1; i-- > 0;) {
-      left[i] = left[i + 1] + ((*way)[i + 1] - (*way)[i]).norm();
-    }
+    const TautWay taut(*way);
     const auto to_go = [&](const Vec2& p) {
-      double best = std::numeric_limits<double>::infinity();
-      for (std::size_t i = 0; i + 1 < way->size(); ++i) {
-        const Vec2 u = (*way)[i + 1] - (*way)[i];
-        const double t =
-            std::clamp((p - (*way)[i]).dot(u) / std::max(u.squaredNorm(), 1e-12), 0.0, 1.0);
-        const double off = (p - ((*way)[i] + t * u)).norm();
-        best = std::min(best, off + left[i] - t * u.norm());
-      }
-      return best;
+      return in_sight ? taut.to_go_in_sight(p, water) : taut.to_go(p);
     };
-    const auto poses = search_poses(a.pose, b.pose, to_go, search);
+    PoseSearchOptions how = search;
+    if (in_sight) how.most_poses *= kPatience;
+    const auto poses = search_poses(a.pose, b.pose, to_go, how);
     if (!poses) continue;
     std::vector<Vec2> points = written(*poses);
     if (points.empty()) continue;
@@ -213,7 +252,10 @@ Connection Connector::join(const std::vector<Vec2>& before, const std::vector<Ve
   const auto from = impl_->sides(before, false);
   const auto to = impl_->sides(after, true);
   if (auto found = impl_->by_curve(from, to)) return *found;
-  if (auto found = impl_->by_way(from, to)) return *found;
+  // The plain estimate is quick and nearly always enough.
+  for (const bool in_sight : {false, true}) {
+    if (auto found = impl_->by_way(from, to, in_sight)) return *found;
+  }
   Connection none;
   const Vec2& a = before.back();
   const Vec2& b = after.front();

@@ -66,6 +66,20 @@ TEST(Connect, GoesAroundAMoleNeverAcross) {
   EXPECT_GT(highest, 80.0);
 }
 
+// The line beyond a mole is near, but the way to it is long: an estimate across the mole leads a
+// search astray in the whole basin.
+TEST(Connect, FindsTheLongWayAroundAMoleFromCornersOfItsWalls) {
+  const Area water = subtract(basin(260, 250), {{box(160, 100, 261, 120), {}}});
+  const Connector connector(water, {.radius_m = 1.5});
+  const auto way = connector.join({{240, 249}, {240, 120.1}}, {{240, 99.9}, {240, 1}});
+  ASSERT_TRUE(is_steerable(connector, way, 1.5));
+  double length = 0.0;
+  for (std::size_t i = 1; i < way.points.size(); ++i) {
+    length += (way.points[i] - way.points[i - 1]).norm();
+  }
+  EXPECT_LT(length, 1.1 * (80 + 20 + 80));
+}
+
 TEST(Connect, AChannelNarrowerThanTwiceTheRadiusIsPassedButNotTurnedIn) {
   const Connector connector(basin(120, 8), {.radius_m = 10.0});
   const auto through = connector.join({{10, 4}, {30, 4}}, {{60, 4}, {90, 4}});
