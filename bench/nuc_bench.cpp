@@ -41,7 +41,8 @@ void BM_Nuc(benchmark::State& state) {
   state.counters["ns_per_face"] = benchmark::Counter(
       faces * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(BM_Nuc)->Arg(10000)->Arg(100000)->Arg(1000000)->MinWarmUpTime(0.5)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Nuc)->Arg(10000)->Arg(100000)->Arg(1000000)->MinWarmUpTime(0.5)->Unit(
+    benchmark::kMillisecond);
 
 }  // namespace
 

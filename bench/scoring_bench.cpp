@@ -15,8 +15,8 @@
 #include "coverage/fan_table_internal.h"
 #include "coverage/ray_scene_internal.h"
 #include "coverage/score.h"
-#include "mesh/survey_area.h"
 #include "mesh/memory.h"
+#include "mesh/survey_area.h"
 #include "mesh/synthetic.h"
 
 namespace {

@@ -45,8 +45,9 @@ void check(const PlanOptions& options) {
 
 PlanarMesh planning_mesh(const PlanningGround& ground, const PlanOptions& options) {
   check(options);
-  return planar_mesh(reachable_area(ground), {.hypotenuse_m = options.face_size.value_or(kFaceSize) *
-                                                              footprint_width_m(options)});
+  return planar_mesh(
+      reachable_area(ground),
+      {.hypotenuse_m = options.face_size.value_or(kFaceSize) * footprint_width_m(options)});
 }
 
 DepthRegions planning_regions(const PlanarMesh& mesh, const std::vector<SharedEdge>& edges,

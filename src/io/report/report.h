@@ -44,8 +44,9 @@ struct ReportSite {
 };
 
 /// One self-contained page that opens offline: what each plan covers and misses side by side, the
-/// map with path, regions and gates, what cannot be sailed as drawn and why, all figures, the largest gaps, settings and provenance.
-/// Pictures are scaled down and paths simplified by less than a pixel so that the page stays small.
+/// map with path, regions and gates, what cannot be sailed as drawn and why, all figures, the
+/// largest gaps, settings and provenance. Pictures are scaled down and paths simplified by less
+/// than a pixel so that the page stays small.
 [[nodiscard]] std::string report_html(const ReportSite& site, const std::vector<ReportPlan>& plans);
 
 /// Writes it to a file.
