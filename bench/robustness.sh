@@ -26,7 +26,7 @@ c = json.load(sys.stdin)["cornerCoordinates"]
 print(*c["lowerLeft"], *c["upperRight"])')
   gdalwarp -q -r average -tr "$(python3 -c "print(4 * $cell)")" "$(python3 -c "print(4 * $cell)")" "$1" "$out/coarse.tif"
   # shellcheck disable=SC2086
-  gdalwarp -q -r cubicspline -tr "$cell" "$cell" -te $extent "$out/coarse.tif" "$2"
+  gdalwarp -q -overwrite -r cubicspline -tr "$cell" "$cell" -te $extent "$out/coarse.tif" "$2"
   rm "$out/coarse.tif"
 }
 
