@@ -75,11 +75,11 @@ function ring(map, gap) {
   }
 }
 
-// One or two notes stand open; more would push the maps out of sight.
+// Open notes would push the maps out of sight.
 function notesOf(plan) {
   const paragraphs = plan.notes.map((note) => element('p', {class: 'says'}, note));
   if (paragraphs.length === 0) return '';
-  const fold = element('details', paragraphs.length > 1 ? {} : {open: ''},
+  const fold = element('details', {},
     element('summary', {}, paragraphs.length === 1 ? 'A note' : paragraphs.length + ' notes'), ...paragraphs);
   return fold;
 }
