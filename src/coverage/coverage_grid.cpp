@@ -42,8 +42,8 @@ class RowCrossings {
     }
   }
 
-  template <class Fill>
   // Rows in parallel: `fill` may write to its own row only.
+  template <class Fill>
   void for_each_span(Fill fill) const {
     tbb::parallel_for(std::uint32_t{0}, grid_.rows(), [&](std::uint32_t r) {
       for (std::size_t k = first_[r]; k + 1 < first_[r + 1]; k += 2) fill(r, x_[k], x_[k + 1]);
