@@ -103,9 +103,10 @@ std::string table(const std::vector<PlannedSurvey>& surveys) {
   for (const PlannedSurvey& s : surveys) {
     const Score& score = s.scored.score;
     text += fmt::format(
-        "{:<16}{:>9.2f}{:>9.2f}{:>11.2f}{:>9.0f}{:>8.2f}{:>9.2f}{:>10}{:>10}{:>10.1f}{:>9.1f}{:>8}{"
+        "{:<16}{:>9.2f}{:>9.2f}{:>11}{:>9.0f}{:>8.2f}{:>9.2f}{:>10}{:>10}{:>10.1f}{:>9.1f}{:>8}{"
         ":>8.2f}\n",
-        s.label, score.all.hit_pct, score.logged.hit_pct, score.all.footprint_pct,
+        s.label, score.all.hit_pct, score.logged.hit_pct,
+        score.all.footprint_pct ? fmt::format("{:.2f}", *score.all.footprint_pct) : "-",
         score.route.length_m, score.route.length_ratio, score.overlap, score.route.turns,
         score.holidays.list.size(), score.route.outside_water_m, score.route.tight_turn_m,
         score.route.infeasible_legs, score.route.duration_s / 3600.0);

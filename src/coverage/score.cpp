@@ -105,14 +105,17 @@ Tally tally(const CoverageGrid& grid) {
   return {s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9]};
 }
 
-void fill_figures(const Tally& t, Score& score) {
+void fill_figures(const Tally& t, bool footprint, Score& score) {
   const auto share = [&](std::uint64_t n) {
     return t.cells > 0 ? 100.0 * static_cast<double>(n) / static_cast<double>(t.cells) : 0.0;
   };
   score.cells = t.cells;
-  score.all = {share(t.hit), share(t.hit_2), share(t.hit_5), share(t.footprint)};
-  score.logged = {share(t.logged_hit), share(t.logged_2), share(t.logged_5),
-                  share(t.logged_footprint)};
+  score.all = {share(t.hit), share(t.hit_2), share(t.hit_5), {}};
+  score.logged = {share(t.logged_hit), share(t.logged_2), share(t.logged_5), {}};
+  if (footprint) {
+    score.all.footprint_pct = share(t.footprint);
+    score.logged.footprint_pct = share(t.logged_footprint);
+  }
   score.several_legs_pct = share(t.several);
   score.overlap =
       t.hit > 0 ? static_cast<double>(score.soundings) / static_cast<double>(t.hit) - 1.0 : 0.0;
@@ -197,7 +200,7 @@ ScoredRoute score(const Route& route, const ScoringGround& ground, const Sonar& 
   figures.footprint_width_m = footprint_width_m(sonar, options.resolution_m);
   Scorer(route, ground, sonar, vehicle.draft_m, options, arena, result.grid).run(figures);
   arena.execute([&] {
-    fill_figures(tally(result.grid), figures);
+    fill_figures(tally(result.grid), options.footprint, figures);
     figures.holidays = find_holidays(result.grid, {.smallest_m2 = options.holiday_m2});
   });
   figures.route = route_figures(route, vehicle, ground.water, *ground.depths,

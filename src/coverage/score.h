@@ -28,7 +28,8 @@ struct ScoreOptions {
 struct CoverageFigures {
   double hit_pct = 0.0;  ///< cells with at least one sounding
   double hit_2_pct = 0.0, hit_5_pct = 0.0;
-  double footprint_pct = 0.0;  ///< cells whose centre lies in a beam's footprint
+  std::optional<double> footprint_pct;  ///< cells whose centre lies in a beam's footprint; empty
+                                        ///< where footprints are not scored
 };
 
 /// Every figure of design contract 'Scoring'.

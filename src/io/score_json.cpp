@@ -1,6 +1,7 @@
 #include "io/score_json.h"
 
 #include <map>
+#include <optional>
 
 #include "io/atomic_file.h"
 #include "io/provenance_internal.h"
@@ -11,11 +12,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
 void add_coverage(Json& json, const Score& score) {
   json["coverage_hit_pct"] = score.all.hit_pct;
-  json["coverage_footprint_pct"] = score.all.footprint_pct;
+  json["coverage_footprint_pct"] = number_or_null(score.all.footprint_pct);
   json["coverage_hit_logged_pct"] = score.logged.hit_pct;
-  json["coverage_footprint_logged_pct"] = score.logged.footprint_pct;
+  json["coverage_footprint_logged_pct"] = number_or_null(score.logged.footprint_pct);
   json["coverage_hit_2_pct"] = score.all.hit_2_pct;
   json["coverage_hit_5_pct"] = score.all.hit_5_pct;
   json["coverage_hit_2_logged_pct"] = score.logged.hit_2_pct;

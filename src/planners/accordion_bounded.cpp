@@ -92,6 +92,15 @@ bool loop_stays_in_bound(const AccordionState& state, double back) {
   return state.sailed_m + way + lawnmower_length_m(o, state.front_m) <= whole + kSamePlace;
 }
 
+// Whether a lawnmower from `next` on would still end within the bound, should objects yet unseen ask
+// for it.
+bool lawnmower_stays_in_bound(const AccordionState& state, double next) {
+  const AccordionOptions& o = state.options;
+  const double whole = o.length_m + lawnmower_length_m(o, 0.0) + o.length_m + o.spacing_m;
+  const double way = std::abs(next - position(state)) + o.length_m;
+  return state.sailed_m + way + lawnmower_length_m(o, next) <= whole + kSamePlace;
+}
+
 // Nearest track beyond every object ahead; `none` where no object waits.
 double beyond_objects(const AccordionState& state, double none) {
   double result = none;
@@ -136,7 +145,9 @@ double bounded_step(const AccordionState& state) {
   const AccordionOptions& o = state.options;
   const double rest = o.width_m - state.front_m;
   if (rest <= o.spacing_m + kSamePlace) {
-    return std::min(beyond_objects(state, o.width_m - o.spacing_m), o.width_m);
+    // A track at the far edge is the last for sure; a nearer one may find yet another object ahead.
+    const double nearest = std::min(beyond_objects(state, o.width_m - o.spacing_m), o.width_m);
+    return lawnmower_stays_in_bound(state, nearest) ? nearest : o.width_m;
   }
   const double one = state.front_m + o.spacing_m;
   if (rest <= 2.0 * o.spacing_m + kSamePlace) {

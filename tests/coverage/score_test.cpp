@@ -188,7 +188,7 @@ TEST(Score, TurningAndShiftingEverythingByWholeCellsChangesNoFigure) {
     options.resolution_m = 0.25;
     options.ping_spacing_m = 0.25;
     const Score result = score(route, g.ground, {}, {}, options).score;
-    return std::pair(result.all.hit_pct, result.all.footprint_pct);
+    return std::pair(result.all.hit_pct, result.all.footprint_pct.value());
   };
   const auto base = hit({0, 0}, false);
   for (const auto& other : {hit({4096, -2048}, false), hit({0, 0}, true)}) {

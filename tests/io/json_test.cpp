@@ -33,7 +33,8 @@ TEST(ScoreJson, HoldsEveryFigureUnderItsName) {
   const json read = json::parse(score_json("nuc", s.score, test::provenance()));
   EXPECT_EQ(read["planner"], "nuc");
   EXPECT_EQ(read["coverage_hit_pct"], s.score.all.hit_pct);
-  EXPECT_EQ(read["coverage_footprint_pct"], s.score.all.footprint_pct);
+  EXPECT_EQ(read["coverage_footprint_pct"], s.score.all.footprint_pct.value());
+  EXPECT_TRUE(read["coverage_footprint_logged_pct"].is_null());  // not scored in the sample
   EXPECT_EQ(read["coverage_hit_logged_pct"], s.score.logged.hit_pct);
   EXPECT_EQ(read["length_m"], s.score.route.length_m);
   EXPECT_EQ(read["length_ratio"], s.score.route.length_ratio);
