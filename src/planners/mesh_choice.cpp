@@ -10,15 +10,13 @@ namespace swathplan {
 namespace {
 
 struct Candidate {
-  double face_size;
+  double face_size;  ///< hypotenuse as a factor of W
   double turn_deg;
 };
 
 /// The plain mesh first: it stays where nothing is better.
-constexpr Candidate kCandidates[] = {
-    {1.00, 0.0},  {1.00, 15.0}, {1.00, 30.0}, {1.00, 45.0}, {0.85, 0.0},  {0.85, 15.0},
-    {0.85, 30.0}, {0.85, 45.0}, {0.75, 0.0},  {0.75, 15.0}, {0.75, 30.0}, {0.75, 45.0},
-};
+constexpr double kFaceSizes[] = {1.00, 0.95, 0.87, 0.80};
+constexpr double kTurns_deg[] = {0.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0};
 
 double worth(const Plan& plan, const PlanningGround& ground, const PlanOptions& options) {
   const ScoringGround scoring{ground.seafloor, ground.depths, ground.scene, ground.survey_area,
@@ -43,22 +41,23 @@ Plan best_mesh_plan(const PlanningGround& ground, const PlanOptions& options,
   }
   const Area area = reachable_area(ground);
   Plan best;
-  Candidate chosen = kCandidates[0];
+  Candidate chosen{};
   double best_worth = -std::numeric_limits<double>::infinity();
-  for (const Candidate& candidate : kCandidates) {
-    Plan plan =
-        plan_on(planar_mesh(area, {.hypotenuse_m = candidate.face_size * footprint_width_m(options),
-                                   .turn = Angle::degrees(candidate.turn_deg)}));
-    const double here = worth(plan, ground, options);
-    if (here <= best_worth) continue;
-    best_worth = here;
-    chosen = candidate;
-    best = std::move(plan);
+  for (const double face_size : kFaceSizes) {
+    for (const double turn_deg : kTurns_deg) {
+      Plan plan = plan_on(planar_mesh(area, {.hypotenuse_m = face_size * footprint_width_m(options),
+                                             .turn = Angle::degrees(turn_deg)}));
+      const double here = worth(plan, ground, options);
+      if (here <= best_worth) continue;
+      best_worth = here;
+      chosen = {face_size, turn_deg};
+      best = std::move(plan);
+    }
   }
   best.notes.push_back(fmt::format(
       "few faces fit the area: of {} meshes the simulator chose faces of {:.2f} W, the lattice "
       "turned by {:.0f} degrees",
-      std::size(kCandidates), chosen.face_size, chosen.turn_deg));
+      std::size(kFaceSizes) * std::size(kTurns_deg), chosen.face_size, chosen.turn_deg));
   return best;
 }
 

@@ -18,6 +18,6 @@ namespace swathplan {
 inline constexpr std::size_t kFewFaces = 100;
 /// Points of coverage that one more ideal length must bring. Finer faces bring 2 to 3 on the
 /// synthetic seafloors near 95 %; asking for more keeps paths short.
-inline constexpr double kPointsPerRatio = 5.5;
+inline constexpr double kPointsPerRatio = 3.2;
 
 }  // namespace swathplan
