@@ -15,17 +15,78 @@ constexpr float kMaxStretch = 5.76F;
 // Half-widths across that a beam reaches at most to either side: half its own beam width or half
 // the beam spacing, whichever is more, on the slope that it met.
 SWATHPLAN_EVERY_CPU
-void reach(std::size_t n, const FanSoundings& f, float half_across, float scale, float* port,
-           float* starboard) {
+void reach(std::size_t n, const FanSoundings& f, float half_across, float scale,
+           float* __restrict port, float* __restrict starboard) {
   const float* const step = f.table->step.data();
   const float* const next = f.table->next_step.data();
+  const float *const range = f.range, *const dx = f.dx, *const dy = f.dy, *const dz = f.dz;
+  const float *const nx = f.nx, *const ny = f.ny, *const nz = f.nz;
   for (std::size_t i = 0; i < n; ++i) {
-    const float facing = std::abs(f.nx[i] * f.dx[i] + f.ny[i] * f.dy[i] + f.nz[i] * f.dz[i]);
-    const float up = std::abs(f.nz[i]);
-    const float stretch = up < kMaxStretch * facing ? up / facing : kMaxStretch;
-    const float size = f.range[i] * stretch * scale;
+    const float facing = std::abs(nx[i] * dx[i] + ny[i] * dy[i] + nz[i] * dz[i]);
+    // In this order the least of the two is a number where both sides of the division are 0.
+    const float stretch = std::min(kMaxStretch, std::abs(nz[i]) / facing);
+    const float size = range[i] * stretch * scale;
     port[i] = size * std::max(half_across, 0.5F * step[i]);
     starboard[i] = size * std::max(half_across, 0.5F * next[i]);
+  }
+}
+
+// Whether every beam met the seafloor farther to starboard than the one before.
+SWATHPLAN_EVERY_CPU
+bool ascends(std::size_t n, const float* range, const float* at) {
+  std::int32_t faults = range[0] > 0.0F ? 0 : 1;
+  for (std::size_t i = 1; i < n; ++i) {
+    faults |= static_cast<std::int32_t>(!((range[i] > 0.0F) & (at[i] > at[i - 1])));
+  }
+  return faults == 0;
+}
+
+struct Sizes {
+  float scale, half;  // cells a metre; half_along in cells at range 1
+};
+
+SWATHPLAN_EVERY_CPU
+void lengths(std::size_t n, const Sizes& s, const float* range, const float* starboard,
+             float* __restrict at, float* __restrict half_along) {
+  const float scale = s.scale;
+  const float half = s.half;
+  for (std::size_t i = 0; i < n; ++i) {
+    at[i] = starboard[i] * scale;
+    half_along[i] = range[i] * half;
+  }
+}
+
+// Eight at a time, which the compiler makes one instruction of.
+SWATHPLAN_EVERY_CPU
+float least_of(std::size_t n, const float* values) {
+  constexpr std::size_t kLanes = 8;
+  float least[kLanes];
+  std::fill_n(least, kLanes, -FanFootprints::kNoFootprint);
+  std::size_t i = 0;
+  for (; i + kLanes <= n; i += kLanes) {
+    for (std::size_t j = 0; j < kLanes; ++j) least[j] = std::min(least[j], values[i + j]);
+  }
+  for (; i < n; ++i) least[0] = std::min(least[0], values[i]);
+  return *std::min_element(least, least + kLanes);
+}
+
+// Where two footprints overlap each gives way to the other about half-way.
+inline float border_between(float at_port, float at, float left, float right_port) {
+  return std::min(std::max(0.5F * (at_port + at), left), right_port);
+}
+
+// Left and right ends of a fan that ascends.
+SWATHPLAN_EVERY_CPU
+void ends(std::size_t n, const float* at, const float* port, const float* starboard, float* left,
+          float* right) {
+  left[0] = at[0] - port[0];
+  right[n - 1] = at[n - 1] + starboard[n - 1];
+  for (std::size_t i = 1; i < n; ++i) {
+    const float l = at[i] - port[i];
+    const float r = at[i - 1] + starboard[i - 1];
+    const float border = border_between(at[i - 1], at[i], l, r);
+    left[i] = r > l ? border : l;
+    right[i - 1] = r > l ? border : r;
   }
 }
 
@@ -44,29 +105,38 @@ void FanFootprints::build(const FanSoundings& fan, const BeamWidths& widths,
   }
   const float scale = cells.cells_per_metre;
   reach(n, fan, widths.half_across, scale, cap_port_.data(), cap_starboard_.data());
-  const float half = widths.half_along * scale;
+  const std::size_t count = fan.table->beams;
+  lengths(count, {scale, widths.half_along * scale}, fan.range, fan.starboard, at.data(),
+          half_along.data());
+  if (ascends(count, fan.range, at.data())) {
+    ends(count, at.data(), cap_port_.data(), cap_starboard_.data(), left.data(), right.data());
+    shortest = least_of(count, half_along.data());
+  } else {
+    build_with_gaps(fan);
+  }
+  for (auto* array : {&at, &left, &right, &half_along}) array->resize(count);
+}
+
+// Beams that climb a wall lie above one another: the first of them stands for all.
+void FanFootprints::build_with_gaps(const FanSoundings& fan) {
   const std::size_t count = fan.table->beams;
   std::size_t last = count;  // the footprint before
   shortest = -kNoFootprint;
   for (std::size_t i = 0; i < count; ++i) {
-    const float v = fan.starboard[i] * scale;
-    at[i] = v;
-    half_along[i] = kNoFootprint;
+    const float v = at[i];
     left[i] = right[i] = v;
-    // Beams that climb a wall lie above one another: the first of them stands for all.
-    if (!(fan.range[i] > 0.0F) || (last < count && !(v > at[last]))) continue;
+    if (!(fan.range[i] > 0.0F) || (last < count && !(v > at[last]))) {
+      half_along[i] = kNoFootprint;
+      continue;
+    }
     left[i] = v - cap_port_[i];
     right[i] = v + cap_starboard_[i];
-    half_along[i] = fan.range[i] * half;
     shortest = std::min(shortest, half_along[i]);
     if (last < count && right[last] > left[i]) {
-      // Where two footprints overlap each gives way to the other about half-way.
-      const float border = std::min(std::max(0.5F * (at[last] + v), left[i]), right[last]);
-      right[last] = left[i] = border;
+      right[last] = left[i] = border_between(at[last], v, left[i], right[last]);
     }
     last = i;
   }
-  for (auto* array : {&at, &left, &right, &half_along}) array->resize(count);
 }
 
 namespace {

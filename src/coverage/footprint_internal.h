@@ -50,6 +50,7 @@ struct FanFootprints {
   [[nodiscard]] std::size_t beams() const { return at.size(); }
 
  private:
+  void build_with_gaps(const FanSoundings& fan);
   std::vector<float> cap_port_, cap_starboard_;
 };
 
@@ -103,18 +104,39 @@ class FootprintSweep {
   void flush(std::vector<SweptPatch>& patches);
 
  private:
-  struct LineFrame;
+  /// A ping seen along lines of the grid: `a` counts lines, `b` cells along a line.
+  struct LineFrame {
+    std::int32_t line = 0, cell = 0;  ///< of the boat
+    float a = 0, b = 0;               ///< within its cell
+    float along_a = 0, along_b = 0, starboard_a = 0, starboard_b = 0;
+    std::int32_t lines = 0, cells = 0;
+
+    LineFrame() = default;
+    LineFrame(const CellFrame& f, bool by_columns);
+  };
+  /// Cells of a line, counted from the boat, that may be covered, and those that surely are.
+  struct UnsureLine {
+    std::int32_t line, low, high, sure_low, sure_high;
+  };
+  /// What one ping left open: the next ones cover nearly all of it, so it is tested after them.
+  struct Unsure {
+    LineFrame frame;
+    FootprintPieces pieces;
+    std::vector<UnsureLine> lines;
+  };
   static constexpr std::size_t kMostBetween = 16;
 
   void settle(std::vector<SweptPatch>& patches);
-  void add_uncovered(const FanFootprints& fan, std::vector<SweptPatch>& patches);
+  void open_patch(const FanFootprints& fan, std::vector<SweptPatch>& patches);
+  void add_rest(const FanFootprints& fan, std::vector<SweptPatch>& patches);
+  void add_strip(const FanFootprints& fan, std::size_t beam, float from, float to);
   void add_beams(const FanFootprints& fan, std::size_t first, std::size_t end,
                  std::vector<SweptPatch>& patches);
   void close_patch(std::vector<SweptPatch>& patches);
   void profile(float reach);
   void add_lines(const LineFrame& f);
-  void add_line_exactly(const LineFrame& f, std::int32_t line, float across, std::int32_t low,
-                        std::int32_t high, std::int32_t sure_low, std::int32_t sure_high);
+  void settle_unsure();
+  void settle_line(const LineFrame& f, const UnsureLine& open);
   void merge(std::int32_t line, std::int32_t low, std::int32_t high);
   void make_room(std::int32_t first, std::int32_t last);
 
@@ -124,8 +146,10 @@ class FootprintSweep {
   bool has_key_ = false;
   std::vector<FanFootprints> waiting_ = std::vector<FanFootprints>(kMostBetween + 1);
   std::size_t waiting_count_ = 0;
-  std::vector<std::int32_t> covered_;
+  std::vector<std::int32_t> held_;           // of the beams of a ping between key pings
+  std::vector<float> low_sure_, high_sure_;  // span that the key pings surely hold around each
   FootprintPieces pieces_;
+  Unsure unsure_;
   SweptPatch patch_;
   bool open_ = false;
   // The pieces resampled to whole cells across: least and largest half-length in each, and in the

@@ -15,21 +15,44 @@ struct Between {
   float from_key, to_next;  // cells of path
 };
 
-// 1 for each beam whose footprint lies within those of the key pings before and behind, or that has
-// none.
+struct SureSpans {
+  const float *low, *high, *least;
+  explicit SureSpans(const SureReach& r)
+      : low(r.low.data()), high(r.high.data()), least(r.least.data()) {}
+};
+
+// How much of a beam's footprint the key pings before and behind surely hold: all of it (or there
+// is none), nothing that could be shown, or all but a strip on its port or starboard side. Such
+// strips are what the outermost beams of nearly every ping leave.
+enum Held : std::int32_t { kNotHeld = 0, kHeld = 1, kAllButPort = 2, kAllButStarboard = 3 };
+
 SWATHPLAN_EVERY_CPU
-void covered_beams(std::size_t n, const Between& way, const float* left, const float* right,
-                   const float* half, const float* low1, const float* high1, const float* least1,
-                   const float* low2, const float* high2, const float* least2,
-                   std::int32_t* covered) {
-  const float whole = way.from_key + way.to_next + kCellDust;
+void held_beams(std::size_t n, const Between& way, const float* left, const float* right,
+                const float* half, const SureSpans& one, const SureSpans& two,
+                float* __restrict low, float* __restrict high, std::int32_t* __restrict held) {
+  const float from_key = way.from_key;
+  const float to_next = way.to_next;
+  const float whole = from_key + to_next + kCellDust;
+  const float *const low1 = one.low, *const high1 = one.high, *const least1 = one.least;
+  const float *const low2 = two.low, *const high2 = two.high, *const least2 = two.least;
+  // Both sides open would leave two strips: such a beam is not held.
+  constexpr std::int32_t kTwice = kAllButStarboard + kAllButPort - kHeld;
   for (std::size_t i = 0; i < n; ++i) {
     const float h = half[i] + kCellDust;
-    const float low = std::max(low1[i], low2[i]) + kCellDust;
-    const float high = std::min(high1[i], high2[i]) - kCellDust;
-    const bool within = (left[i] >= low) & (right[i] <= high) & (h <= least1[i] + way.from_key) &
-                        (h <= least2[i] + way.to_next) & (whole <= least1[i] + least2[i]);
-    covered[i] = static_cast<std::int32_t>(within | (half[i] < 0.0F));
+    const float least_1 = least1[i], least_2 = least2[i];
+    const float from = std::max(low1[i], low2[i]) + kCellDust;
+    const float to = std::min(high1[i], high2[i]) - kCellDust;
+    low[i] = from;
+    high[i] = to;
+    const bool deep =
+        (h <= least_1 + from_key) & (h <= least_2 + to_next) & (whole <= least_1 + least_2);
+    const auto port = static_cast<std::int32_t>(left[i] >= from);
+    const auto starboard = static_cast<std::int32_t>(right[i] <= to);
+    const std::int32_t code =
+        port * kAllButStarboard + starboard * kAllButPort - (port & starboard) * kTwice;
+    const std::int32_t known = static_cast<std::int32_t>(deep) * code;
+    const auto none = static_cast<std::int32_t>(half[i] < 0.0F);
+    held[i] = none * kHeld + (1 - none) * known;
   }
 }
 
@@ -53,29 +76,21 @@ bool follows(const FanFootprints& a, const FanFootprints& b, float& way) {
 
 }  // namespace
 
-// A ping seen along lines of the grid: `a` counts lines, `b` cells along a line.
-struct FootprintSweep::LineFrame {
-  std::int32_t line, cell;  // of the boat
-  float a, b;               // within its cell
-  float along_a, along_b, starboard_a, starboard_b;
-  std::int32_t lines, cells;
-
-  LineFrame(const CellFrame& f, bool by_columns) {
-    const float course_x = -f.starboard_y;
-    const float course_y = f.starboard_x;
-    if (by_columns) {
-      line = f.column, cell = f.row, a = f.x, b = f.y;
-      along_a = course_x, along_b = course_y;
-      starboard_a = f.starboard_x, starboard_b = f.starboard_y;
-      lines = f.columns, cells = f.rows;
-    } else {
-      line = f.row, cell = f.column, a = f.y, b = f.x;
-      along_a = course_y, along_b = course_x;
-      starboard_a = f.starboard_y, starboard_b = f.starboard_x;
-      lines = f.rows, cells = f.columns;
-    }
+FootprintSweep::LineFrame::LineFrame(const CellFrame& f, bool by_columns) {
+  const float course_x = -f.starboard_y;
+  const float course_y = f.starboard_x;
+  if (by_columns) {
+    line = f.column, cell = f.row, a = f.x, b = f.y;
+    along_a = course_x, along_b = course_y;
+    starboard_a = f.starboard_x, starboard_b = f.starboard_y;
+    lines = f.columns, cells = f.rows;
+  } else {
+    line = f.row, cell = f.column, a = f.y, b = f.x;
+    along_a = course_y, along_b = course_x;
+    starboard_a = f.starboard_y, starboard_b = f.starboard_x;
+    lines = f.rows, cells = f.columns;
   }
-};
+}
 
 namespace {
 
@@ -194,45 +209,57 @@ void FootprintSweep::add_lines(const LineFrame& f) {
   line_intervals(n, sums, first_bin_, window_least_.data(), window_most_.data(), sure_low_.data(),
                  sure_high_.data(), low_.data(), high_.data());
   const auto offset = static_cast<std::size_t>(f.line + first - patch_.first_line);
+  const auto known = [&](std::size_t i) {  // nothing new where the line has it all already
+    return low_[i] > high_[i] || (f.cell + low_[i] >= patch_.low[offset + i] &&
+                                  f.cell + high_[i] <= patch_.high[offset + i]);
+  };
   for (std::size_t i = 0; i < n; ++i) {
-    // Nothing new where the line has it all already.
-    if (low_[i] > high_[i] || (f.cell + low_[i] >= patch_.low[offset + i] &&
-                               f.cell + high_[i] <= patch_.high[offset + i])) {
-      continue;
-    }
-    const std::int32_t line = first + static_cast<std::int32_t>(i);
-    if (low_[i] == sure_low_[i] && high_[i] == sure_high_[i]) {
-      merge(f.line + line, f.cell + low_[i], f.cell + high_[i]);
-    } else {
-      add_line_exactly(f, line, static_cast<float>(line) + 0.5F - f.a, low_[i], high_[i],
-                       sure_low_[i], sure_high_[i]);
-    }
+    if (sure_low_[i] > sure_high_[i] || known(i)) continue;
+    merge(f.line + first + static_cast<std::int32_t>(i), f.cell + sure_low_[i],
+          f.cell + sure_high_[i]);
   }
+  settle_unsure();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (known(i) || (low_[i] == sure_low_[i] && high_[i] == sure_high_[i])) continue;
+    unsure_.lines.push_back(
+        {first + static_cast<std::int32_t>(i), low_[i], high_[i], sure_low_[i], sure_high_[i]});
+  }
+  if (unsure_.lines.empty()) return;
+  unsure_.frame = f;
+  std::swap(unsure_.pieces, pieces_);
 }
 
-// Tests the cells that the profile leaves open one by one and merges what is covered, run by run.
-void FootprintSweep::add_line_exactly(const LineFrame& f, std::int32_t line, float across,
-                                      std::int32_t low, std::int32_t high, std::int32_t sure_low,
-                                      std::int32_t sure_high) {
-  const auto i = static_cast<std::size_t>(f.line + line - patch_.first_line);
+// Tests one by one the cells that the profile of the ping before left open and that the next has
+// not covered either.
+void FootprintSweep::settle_unsure() {
+  for (const UnsureLine& line : unsure_.lines) settle_line(unsure_.frame, line);
+  unsure_.lines.clear();
+}
+
+void FootprintSweep::settle_line(const LineFrame& f, const UnsureLine& open) {
+  const auto i = static_cast<std::size_t>(f.line + open.line - patch_.first_line);
   const std::int32_t had_low = patch_.low[i] - f.cell;
   const std::int32_t had_high = patch_.high[i] - f.cell;
+  if (open.low >= had_low && open.high <= had_high) return;
+  const float across = static_cast<float>(open.line) + 0.5F - f.a;
   const auto covered = [&](std::int32_t cell) {
-    if (cell >= sure_low && cell <= sure_high) return true;
+    if (cell >= open.sure_low && cell <= open.sure_high) return true;
     if (cell >= had_low && cell <= had_high) return true;
     const float db = static_cast<float>(cell) + 0.5F - f.b;
-    return pieces_.covers(across * f.along_a + db * f.along_b,
-                          across * f.starboard_a + db * f.starboard_b);
+    return unsure_.pieces.covers(across * f.along_a + db * f.along_b,
+                                 across * f.starboard_a + db * f.starboard_b);
   };
-  for (std::int32_t cell = low; cell <= high;) {
+  for (std::int32_t cell = open.low; cell <= open.high;) {
     if (!covered(cell)) {
       ++cell;
       continue;
     }
     const std::int32_t start = cell;
-    while (cell <= high && covered(cell))
-      cell = cell == sure_low && sure_low <= sure_high ? sure_high + 1 : cell + 1;
-    merge(f.line + line, f.cell + start, f.cell + cell - 1);
+    while (cell <= open.high && covered(cell)) {
+      cell =
+          cell == open.sure_low && open.sure_low <= open.sure_high ? open.sure_high + 1 : cell + 1;
+    }
+    merge(f.line + open.line, f.cell + start, f.cell + cell - 1);
   }
 }
 
@@ -270,10 +297,8 @@ void FootprintSweep::make_room(std::int32_t first, std::int32_t last) {
   }
 }
 
-void FootprintSweep::add_beams(const FanFootprints& fan, std::size_t first, std::size_t end,
-                               std::vector<SweptPatch>& patches) {
-  pieces_.assign(fan, first, end);
-  if (pieces_.left.empty()) return;
+// Makes sure that the patch in hand takes this fan's footprints.
+void FootprintSweep::open_patch(const FanFootprints& fan, std::vector<SweptPatch>& patches) {
   const std::uint32_t flags =
       CoverageGrid::kFootprint | (fan.log ? CoverageGrid::kLoggedFootprint : 0U);
   const float along_columns = std::abs(fan.frame.starboard_x);  // |course.y|
@@ -285,17 +310,69 @@ void FootprintSweep::add_beams(const FanFootprints& fan, std::size_t first, std:
     patch_.flags = flags;
     open_ = true;
   }
+}
+
+void FootprintSweep::add_beams(const FanFootprints& fan, std::size_t first, std::size_t end,
+                               std::vector<SweptPatch>& patches) {
+  pieces_.assign(fan, first, end);
+  if (pieces_.left.empty()) return;
+  open_patch(fan, patches);
   add_lines(LineFrame(fan.frame, patch_.by_columns));
 }
 
-// The beams of a ping between the key pings that are not covered by them, run by run.
-void FootprintSweep::add_uncovered(const FanFootprints& fan, std::vector<SweptPatch>& patches) {
+// Adds the cells of a beam's footprint between two distances across.
+void FootprintSweep::add_strip(const FanFootprints& fan, std::size_t beam, float from, float to) {
+  const LineFrame f(fan.frame, patch_.by_columns);
+  const float left = fan.left[beam];
+  const float right = fan.right[beam];
+  const float half = fan.half_along[beam];
+  const float spread = half * std::abs(f.along_a);
+  const float low_a = std::min(from * f.starboard_a, to * f.starboard_a) - spread - kCellDust;
+  const float high_a = std::max(from * f.starboard_a, to * f.starboard_a) + spread + kCellDust;
+  const std::int32_t first = std::max(-f.line, -floor_to_int(-(low_a + f.a - 0.5F)));
+  const std::int32_t last = std::min(f.lines - 1 - f.line, floor_to_int(high_a + f.a - 0.5F));
+  const float per_b = 1.0F / f.along_b;
+  // Along a line that runs with the course, all cells lie at the same distance across.
+  const bool slanted = std::abs(f.starboard_b) > 1e-3F;
+  const float per_across = slanted ? 1.0F / f.starboard_b : 0.0F;
+  for (std::int32_t line = first; line <= last; ++line) {
+    const float da = static_cast<float>(line) + 0.5F - f.a;
+    const float middle = -da * f.along_a * per_b;
+    float low = middle - half * std::abs(per_b);
+    float high = middle + half * std::abs(per_b);
+    if (slanted) {
+      const float b1 = (from - da * f.starboard_a) * per_across;
+      const float b2 = (to - da * f.starboard_a) * per_across;
+      low = std::max(low, std::min(b1, b2));
+      high = std::min(high, std::max(b1, b2));
+    }
+    const std::int32_t end = floor_to_int(high + kCellDust + f.b - 0.5F);
+    for (std::int32_t cell = -floor_to_int(-(low - kCellDust + f.b - 0.5F)); cell <= end; ++cell) {
+      const float db = static_cast<float>(cell) + 0.5F - f.b;
+      const float along = da * f.along_a + db * f.along_b;
+      const float across = da * f.starboard_a + db * f.starboard_b;
+      if (across < left || across > right || std::abs(along) > half) continue;
+      make_room(f.line + line, f.line + line);
+      merge(f.line + line, f.cell + cell, f.cell + cell);
+    }
+  }
+}
+
+// The beams of a ping between the key pings that are not held by them, run by run.
+void FootprintSweep::add_rest(const FanFootprints& fan, std::vector<SweptPatch>& patches) {
   const std::size_t n = fan.beams();
   for (std::size_t i = 0; i < n; ++i) {
-    if (covered_[i] != 0) continue;
-    const std::size_t first = i;
-    while (i < n && covered_[i] == 0) ++i;
-    add_beams(fan, first, i, patches);
+    if (held_[i] == kHeld) continue;
+    if (held_[i] == kNotHeld) {
+      const std::size_t first = i;
+      while (i + 1 < n && held_[i + 1] == kNotHeld) ++i;
+      add_beams(fan, first, i + 1, patches);
+    } else {
+      open_patch(fan, patches);
+      const bool port = held_[i] == kAllButPort;
+      add_strip(fan, i, port ? fan.left[i] : std::max(fan.left[i], high_sure_[i]),
+                port ? std::min(fan.right[i], low_sure_[i]) : fan.right[i]);
+    }
   }
 }
 
@@ -304,19 +381,19 @@ void FootprintSweep::settle(std::vector<SweptPatch>& patches) {
   if (waiting_count_ == 0) return;
   FanFootprints& next = waiting_[waiting_count_ - 1];
   next_reach_.build(next);
-  covered_.resize(next.beams());
+  for (auto* array : {&low_sure_, &high_sure_}) array->resize(next.beams());
+  held_.resize(next.beams());
+  add_beams(next, 0, next.beams(), patches);
   for (std::size_t k = 0; k + 1 < waiting_count_; ++k) {
     const FanFootprints& fan = waiting_[k];
     Between way{};
     follows(key_, fan, way.from_key);
     follows(fan, next, way.to_next);
-    covered_beams(fan.beams(), way, fan.left.data(), fan.right.data(), fan.half_along.data(),
-                  key_reach_.low.data(), key_reach_.high.data(), key_reach_.least.data(),
-                  next_reach_.low.data(), next_reach_.high.data(), next_reach_.least.data(),
-                  covered_.data());
-    add_uncovered(fan, patches);
+    held_beams(fan.beams(), way, fan.left.data(), fan.right.data(), fan.half_along.data(),
+               SureSpans(key_reach_), SureSpans(next_reach_), low_sure_.data(), high_sure_.data(),
+               held_.data());
+    add_rest(fan, patches);
   }
-  add_beams(next, 0, next.beams(), patches);
   std::swap(key_, next);
   std::swap(key_reach_, next_reach_);
   waiting_count_ = 0;
@@ -354,6 +431,7 @@ void FootprintSweep::flush(std::vector<SweptPatch>& patches) {
 }
 
 void FootprintSweep::close_patch(std::vector<SweptPatch>& patches) {
+  settle_unsure();
   if (open_ && !patch_.low.empty()) patches.push_back(std::move(patch_));
   patch_ = {};
   open_ = false;

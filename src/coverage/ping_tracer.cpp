@@ -24,14 +24,16 @@ FanPose fan_pose(const Ping& ping) {
 // Unit directions of all beams. With the starboard side down by the roll, the fan swings to port:
 // the sine becomes that of (angle - roll). `across` keeps it for the way back to the plane.
 SWATHPLAN_EVERY_CPU
-void aim(std::size_t n, const FanPose& pose, const float* sine, const float* cosine, float* across,
-         float* dx, float* dy, float* dz) {
+void aim(std::size_t n, const FanPose& pose, const float* sine, const float* cosine,
+         float* __restrict across, float* __restrict dx, float* __restrict dy,
+         float* __restrict dz) {
+  const auto [starboard_x, starboard_y, cos_roll, sin_roll] = pose;
   for (std::size_t i = 0; i < n; ++i) {
-    const float s = sine[i] * pose.cos_roll - cosine[i] * pose.sin_roll;
-    const float c = cosine[i] * pose.cos_roll + sine[i] * pose.sin_roll;
+    const float s = sine[i] * cos_roll - cosine[i] * sin_roll;
+    const float c = cosine[i] * cos_roll + sine[i] * sin_roll;
     across[i] = s;
-    dx[i] = s * pose.starboard_x;
-    dy[i] = s * pose.starboard_y;
+    dx[i] = s * starboard_x;
+    dy[i] = s * starboard_y;
     dz[i] = -c;
   }
 }

@@ -60,20 +60,23 @@ class Expected {
 
   void add(const Ping& ping, const std::vector<Piece>& all) {
     const Vec2 starboard(ping.course.y(), -ping.course.x());
+    double longest = 0.0;
+    for (const Piece& p : all) longest = std::max(longest, p.half_along);
     for (std::size_t i = 0; i < state_.size(); ++i) {
       if (state_[i] == 1) continue;
       const Vec2 d = grid_.centre(static_cast<std::uint32_t>(i % grid_.columns()),
                                   static_cast<std::uint32_t>(i / grid_.columns())) -
                      ping.position;
-      if (d.norm() > 40) continue;
+      if (std::abs(d.dot(ping.course)) > longest + kNear) continue;  // no piece is that long
       for (const Piece& p : all) add(i, d.dot(ping.course), d.dot(starboard), p);
     }
   }
   [[nodiscard]] const std::vector<int>& state() const { return state_; }
 
  private:
+  static constexpr double kNear = 1e-4;  // metres
+
   void add(std::size_t i, double u, double v, const Piece& p) {
-    constexpr double kNear = 1e-4;
     const double room = std::min({p.half_along - std::abs(u), v - p.left, p.right - v});
     if (room > kNear) state_[i] = 1;
     if (std::abs(room) <= kNear && state_[i] == 0) state_[i] = -1;
