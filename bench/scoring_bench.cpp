@@ -23,7 +23,7 @@ namespace {
 
 using namespace swathplan;
 
-constexpr int kRepeats = 5;
+constexpr int kRepeats = 15;
 
 /// A walk over the box as NUC sails: parallel passes `spacing` apart, joined by short steps, turned
 /// by `heading` so that no pass runs along the grid, with a waypoint each metre.
