@@ -14,6 +14,7 @@
 
 #include "mesh/area_query.h"
 #include "mesh/error.h"
+#include "mesh/face_layout.h"
 
 namespace swathplan {
 namespace {
@@ -27,81 +28,8 @@ using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
 using Mesher = CGAL::Delaunay_mesher_2<Cdt, Criteria>;
 
 /// Shares of the hypotenuse.
-constexpr double kOutlineTolerance = 0.02;  ///< details of the outline that faces do not follow
-constexpr double kLatticeKeepOff = 0.42;    ///< of the lattice step: nodes nearer the outline go
-constexpr double kLargestEdge = 1.6;        ///< of the lattice step, before a face is refined
-constexpr int kDirectionBins = 180;         ///< half-degree bins over a right angle
-
-/// The direction that most of the outline follows, modulo a right angle.
-double main_direction(const Area& area) {
-  std::vector<double> weight(kDirectionBins, 0.0);
-  std::vector<double> moment(kDirectionBins, 0.0);
-  const double bin = 0.5 * std::numbers::pi / kDirectionBins;
-  const auto add = [&](const Ring& ring) {
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-      const Vec2 d = ring[i] - ring[j];
-      double angle =
-          std::fmod(std::atan2(d.y(), d.x()) + 2.0 * std::numbers::pi, 0.5 * std::numbers::pi);
-      // A hair below a right angle is the same direction as a hair above zero.
-      if (angle > 0.5 * std::numbers::pi - 0.5 * bin) angle -= 0.5 * std::numbers::pi;
-      const auto k = static_cast<std::size_t>(std::max(0.0, std::floor(angle / bin + 0.5))) %
-                     static_cast<std::size_t>(kDirectionBins);
-      weight[k] += d.norm();
-      moment[k] += d.norm() * angle;
-    }
-  };
-  for (const Polygon& polygon : area) {
-    add(polygon.outer);
-    for (const Ring& hole : polygon.holes) add(hole);
-  }
-  const auto best =
-      static_cast<std::size_t>(std::max_element(weight.begin(), weight.end()) - weight.begin());
-  return weight[best] > 0.0 ? moment[best] / weight[best] : 0.0;
-}
-
-Vec2 rotate(const Vec2& p, double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  return {c * p.x() - s * p.y(), s * p.x() + c * p.y()};
-}
-
-Ring rotated(const Ring& ring, double angle) {
-  Ring result;
-  result.reserve(ring.size());
-  for (const Vec2& p : ring) result.push_back(rotate(p, angle));
-  return result;
-}
-
-Area rotated(const Area& area, double angle) {
-  Area result;
-  for (const Polygon& polygon : area) {
-    Polygon turned{rotated(polygon.outer, angle), {}};
-    for (const Ring& hole : polygon.holes) turned.holes.push_back(rotated(hole, angle));
-    result.push_back(std::move(turned));
-  }
-  return result;
-}
-
-/// The area whose outline the faces follow: inside the given one, details under the tolerance
-/// gone, so that a staircase of grid cells does not make a staircase of faces. Channels that the
-/// inset would close are put back with a finer one.
-Area outline_for_faces(const Area& area, double hypotenuse) {
-  const double fine = 0.1 * kOutlineTolerance * hypotenuse;
-  const double coarse = kOutlineTolerance * hypotenuse;
-  const auto inside = [&](double e) { return simplify(offset(area, -e), 0.9 * e); };
-  Area result = inside(coarse);
-  Area lost = subtract(area, offset(result, 3.0 * coarse));
-  if (!lost.empty()) {
-    result = unite(result, intersect(inside(fine), offset(lost, 4.0 * coarse)));
-    result = simplify(result, 0.5 * fine);
-  }
-  return intersect(result, area);
-}
-
-/// Step that fits a whole number of times into `length`, near `wanted`.
-double fitted_step(double length, double wanted) {
-  return length / std::max(1.0, std::round(length / wanted));
-}
+constexpr double kLatticeKeepOff = 0.42;  ///< of the lattice step: nodes nearer the outline go
+constexpr double kLargestEdge = 1.6;      ///< of the lattice step, before a face is refined
 
 class Builder {
  public:
@@ -147,7 +75,7 @@ class Builder {
     mesher.refine_mesh();
   }
 
-  [[nodiscard]] PlanarMesh mesh(double angle) const {
+  [[nodiscard]] PlanarMesh mesh(Angle angle) const {
     PlanarMesh result;
     // Faces in a geometric order: CGAL's own order depends on addresses.
     struct Item {
@@ -174,7 +102,7 @@ class Builder {
       for (const Vec2& p : item.corner) {
         const auto [at, fresh] =
             vertex.try_emplace({p.x(), p.y()}, static_cast<std::uint32_t>(result.vertices.size()));
-        if (fresh) result.vertices.push_back(rotate(p, angle));
+        if (fresh) result.vertices.push_back(rotated(p, angle));
         face.push_back(at->second);
       }
       result.faces.push_back(std::move(face));
@@ -211,14 +139,13 @@ PlanarMesh planar_mesh(const Area& area, const PlanarMeshOptions& options) {
   if (!(options.hypotenuse_m > 0.0))
     throw UsageError("the faces' hypotenuse must be above 0 metres");
   if (area.empty()) throw InvalidInput("the survey area is empty: there is nothing to mesh");
-  const double angle =
-      main_direction(simplify(area, kOutlineTolerance * options.hypotenuse_m)) + options.turn.rad();
-  const Area turned = rotated(outline_for_faces(area, options.hypotenuse_m), -angle);
+  const FaceLayout layout = face_layout(area, options.hypotenuse_m, options.turn);
+  const Area& turned = layout.area;
   Builder builder(turned, options.hypotenuse_m / std::numbers::sqrt2);
   builder.insert_outline();
   for (const Polygon& polygon : turned) builder.insert_lattice(polygon);
   builder.refine();
-  PlanarMesh mesh = builder.mesh(angle);
+  PlanarMesh mesh = builder.mesh(layout.turned_by);
   if (mesh.faces.empty()) {
     throw InvalidInput(
         "the survey area is too small for a single face; use a finer --resolution or a larger "
