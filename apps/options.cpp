@@ -221,12 +221,20 @@ void add_planning_options(CLI::App& command, SurveyOptions& o) {
   command
       .add_option("--smallest-region", o.smallest_region_m2,
                   "Depth regions under this join a neighbour, square metres (default: 0.3 of a "
-                  "hypotenuse squared)")
+                  "face's size squared)")
       ->group(group);
   command
-      .add_option("--face-size", o.face_size,
-                  "Hypotenuse of a mesh face, as a share of W (default: 0.93; the best of several "
-                  "meshes where the area holds few faces)")
+      .add_option("--faces", o.faces,
+                  "NUC, MDNUC: the mesh is made of right isosceles triangles or of right-angled "
+                  "quads, cut to the outline along the boundary")
+      ->check(CLI::IsMember({"triangle", "quad"}))
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option(
+          "--face-size", o.face_size,
+          "Hypotenuse of a triangle or side of a quad, as a share of W (default: 0.93, quads "
+          "0.75; the best of several meshes where the area holds few faces)")
       ->group(group);
   command
       .add_option("--opening", o.opening,
@@ -363,6 +371,7 @@ PlanOptions plan_options(const SurveyOptions& o, const Frame& frame) {
   require(o.resolution_m > 0.0, "--resolution", o.resolution_m, "must be above 0 metres");
   result.resolution_m = o.resolution_m;
   if (o.face_size) require(*o.face_size > 0.0, "--face-size", *o.face_size, "must be above 0");
+  result.faces = o.faces == "quad" ? FaceShape::quad : FaceShape::triangle;
   result.face_size = o.face_size;
   require(o.ping_spacing_m > 0.0, "--ping-spacing", o.ping_spacing_m, "must be above 0 metres");
   result.ping_spacing_m = o.ping_spacing_m;
@@ -478,9 +487,8 @@ Provenance provenance_of(const std::string& command, const SiteOptions& site,
   add("holiday_m2", o.holiday_m2);
   if (command != "score") {
     add("depth_bands", o.depth_bands);
-    add("smallest_region_m2",
-        o.smallest_region_m2.value_or(
-            0.3 * std::pow(o.face_size.value_or(kFaceSize) * sonar.beams * o.resolution_m, 2)));
+    add("smallest_region_m2", smallest_region_m2(plan_options(o, Frame{})));
+    add("faces", o.faces);
     if (o.face_size) add("face_size", *o.face_size);
     add("opening", o.opening);
     add("smooth", o.smooth);

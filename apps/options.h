@@ -41,6 +41,7 @@ struct SurveyOptions {
   std::string smooth = "none";
   std::string depth_bands = "2";
   std::optional<double> smallest_region_m2;
+  std::string faces = "triangle";
   std::optional<double> face_size;
   std::string opening = "region";
   std::string start;

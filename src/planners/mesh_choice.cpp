@@ -2,23 +2,48 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
 
 #include "coverage/score.h"
 
 namespace swathplan {
 namespace {
 
+/// Shares of W.
+constexpr std::array kTriangleSizes = {1.00, 0.95, 0.87, 0.80};
+constexpr std::array kQuadSizes = {kQuadSize, 0.60, 0.50};
+
+constexpr std::array kTriangleTurns_deg = {0.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0};
+constexpr std::array kQuadTurns_deg = {0.0, 30.0, 60.0, 90.0};
+
 struct Candidate {
-  double face_size;  ///< hypotenuse as a factor of W
+  double face_size;
   double turn_deg;
+  Plan plan;
+  double hit_pct = 0.0, length_ratio = 0.0;
 };
 
-/// The plain mesh first: it stays where nothing is better.
-constexpr double kFaceSizes[] = {1.00, 0.95, 0.87, 0.80};
-constexpr double kTurns_deg[] = {0.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0};
+/// The plain lattice first: it stays where nothing is better. A quarter turn of quads is the same
+/// lattice; but the path's long runs then go the other way.
+std::vector<Candidate> candidates(FaceShape faces) {
+  std::vector<Candidate> result;
+  const auto add = [&](const auto& sizes, const auto& turns_deg) {
+    for (const double size : sizes) {
+      for (const double turn : turns_deg) result.push_back({size, turn, {}});
+    }
+  };
+  if (faces == FaceShape::quad) {
+    add(kQuadSizes, kQuadTurns_deg);
+  } else {
+    add(kTriangleSizes, kTriangleTurns_deg);
+  }
+  return result;
+}
 
-double worth(const Plan& plan, const PlanningGround& ground, const PlanOptions& options) {
+void score_candidate(const PlanningGround& ground, const PlanOptions& options, Candidate& c) {
   const ScoringGround scoring{ground.seafloor, ground.depths, ground.scene, ground.survey_area,
                               ground.water};
   ScoreOptions how;
@@ -27,8 +52,19 @@ double worth(const Plan& plan, const PlanningGround& ground, const PlanOptions& 
   how.footprint = false;
   how.threads = options.threads;
   const Score score =
-      swathplan::score(plan.route, scoring, options.sonar, options.vehicle, how).score;
-  return score.all.hit_pct - kPointsPerRatio * score.route.length_ratio;
+      swathplan::score(c.plan.route, scoring, options.sonar, options.vehicle, how).score;
+  c.hit_pct = score.all.hit_pct;
+  c.length_ratio = score.route.length_ratio;
+}
+
+/// Points of coverage that one more ideal length must bring.
+double points_per_ratio(const std::vector<Candidate>& tried) {
+  std::vector<double> missed;
+  missed.reserve(tried.size());
+  for (const Candidate& c : tried) missed.push_back(100.0 - c.hit_pct);
+  const auto middle = missed.begin() + static_cast<std::ptrdiff_t>(missed.size() / 2);
+  std::nth_element(missed.begin(), middle, missed.end());
+  return kMissedPerRatio * *middle;
 }
 
 }  // namespace
@@ -40,25 +76,22 @@ Plan best_mesh_plan(const PlanningGround& ground, const PlanOptions& options,
     return plan_on(std::move(plain));
   }
   const Area area = reachable_area(ground);
-  Plan best;
-  Candidate chosen{};
-  double best_worth = -std::numeric_limits<double>::infinity();
-  for (const double face_size : kFaceSizes) {
-    for (const double turn_deg : kTurns_deg) {
-      Plan plan = plan_on(planar_mesh(area, {.hypotenuse_m = face_size * footprint_width_m(options),
-                                             .turn = Angle::degrees(turn_deg)}));
-      const double here = worth(plan, ground, options);
-      if (here <= best_worth) continue;
-      best_worth = here;
-      chosen = {face_size, turn_deg};
-      best = std::move(plan);
-    }
+  std::vector<Candidate> tried = candidates(options.faces);
+  for (Candidate& c : tried) {
+    c.plan = plan_on(mesh_of(area, options, c.face_size * footprint_width_m(options),
+                             Angle::degrees(c.turn_deg)));
+    score_candidate(ground, options, c);
   }
-  best.notes.push_back(fmt::format(
+  const double price = points_per_ratio(tried);
+  const auto worth = [&](const Candidate& c) { return c.hit_pct - price * c.length_ratio; };
+  const auto best =
+      std::max_element(tried.begin(), tried.end(),
+                       [&](const Candidate& a, const Candidate& b) { return worth(a) < worth(b); });
+  best->plan.notes.push_back(fmt::format(
       "few faces fit the area: of {} meshes the simulator chose faces of {:.2f} W, the lattice "
       "turned by {:.0f} degrees",
-      std::size(kFaceSizes) * std::size(kTurns_deg), chosen.face_size, chosen.turn_deg));
-  return best;
+      tried.size(), best->face_size, best->turn_deg));
+  return std::move(best->plan);
 }
 
 }  // namespace swathplan

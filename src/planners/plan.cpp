@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesh/error.h"
+#include "mesh/quad_mesh.h"
 
 namespace swathplan {
 
@@ -43,21 +44,30 @@ void check(const PlanOptions& options) {
   }
 }
 
+double face_size_m(const PlanOptions& options) {
+  const double usual = options.faces == FaceShape::quad ? kQuadSize : kFaceSize;
+  return options.face_size.value_or(usual) * footprint_width_m(options);
+}
+
+double smallest_region_m2(const PlanOptions& options) {
+  const double face = face_size_m(options);
+  return options.smallest_region_m2.value_or(0.3 * face * face);
+}
+
+PlanarMesh mesh_of(const Area& area, const PlanOptions& options, double size_m, Angle turn) {
+  if (options.faces == FaceShape::quad) return quad_mesh(area, {.side_m = size_m, .turn = turn});
+  return planar_mesh(area, {.hypotenuse_m = size_m, .turn = turn});
+}
+
 PlanarMesh planning_mesh(const PlanningGround& ground, const PlanOptions& options) {
   check(options);
-  return planar_mesh(
-      reachable_area(ground),
-      {.hypotenuse_m = options.face_size.value_or(kFaceSize) * footprint_width_m(options)});
+  return mesh_of(reachable_area(ground), options, face_size_m(options));
 }
 
 DepthRegions planning_regions(const PlanarMesh& mesh, const std::vector<SharedEdge>& edges,
                               const PlanningGround& ground, const PlanOptions& options) {
-  const double width = footprint_width_m(options);
-  const double face = options.face_size.value_or(kFaceSize) * width;
-  return depth_regions(
-      mesh, edges, *ground.depths,
-      {.bands = options.bands,
-       .smallest_region_m2 = options.smallest_region_m2.value_or(0.3 * face * face)});
+  return depth_regions(mesh, edges, *ground.depths,
+                       {.bands = options.bands, .smallest_region_m2 = smallest_region_m2(options)});
 }
 
 double mean_depth_m(const DepthRegions& regions) {

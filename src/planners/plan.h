@@ -22,6 +22,9 @@ namespace swathplan {
 /// brings the synthetic harbour at 0.10 m to 96.9 % at 3.4 ideal lengths; larger saves path and
 /// coverage.
 inline constexpr double kFaceSize = 0.93;
+/// Side of a quad as a share of W where none is given: of 0.6 to 1.2, the one with the most
+/// coverage for its path on saddle, shaft and harbour at 0.10 m. The path's spacing is half a side.
+inline constexpr double kQuadSize = 0.75;
 
 /// What every planner plans on. The seafloor and its query must outlive it.
 struct PlanningGround {
@@ -40,6 +43,12 @@ enum class Opening {
   ping     ///< from the depth below the boat
 };
 
+/// What the planning mesh is made of.
+enum class FaceShape {
+  triangle,  ///< near right isosceles
+  quad       ///< right-angled, what the outline leaves of them along the boundary
+};
+
 /// Where fitted lines come from.
 enum class LineSource {
   straight,  ///< parallel, spaced by the depth
@@ -51,14 +60,15 @@ struct PlanOptions {
   Sonar sonar;
   Vehicle vehicle;
   double resolution_m = 0.10;
-  /// Hypotenuse of a mesh face as a share of W, > 0. Empty: kFaceSize, and where the area holds few
-  /// faces the best of several meshes (mesh_choice.h).
+  FaceShape faces = FaceShape::triangle;  ///< of the mesh that NUC and MDNUC walk
+  /// Hypotenuse of a triangle or side of a quad as a share of W, > 0. Empty: kFaceSize or
+  /// kQuadSize, and where the area holds few faces the best of several meshes (mesh_choice.h).
   std::optional<double> face_size;
   double ping_spacing_m = 0.10;  ///< that candidates are judged with, > 0
   int threads = 0;               ///< 0: all cores; no result depends on it
   DepthBands bands;
   /// Regions under this join a neighbour, m^2; empty: 0.3 of a hypotenuse squared, a little over a
-  /// regular face.
+  /// regular triangle; of quads 0.3 of a side squared.
   std::optional<double> smallest_region_m2;
   Opening opening = Opening::region;
   std::optional<SmoothOptions> smooth;  ///< NUC, MDNUC: smooth the skeleton; empty: round corners
@@ -97,8 +107,19 @@ struct Plan {
 /// @throws UsageError that names the option, its value and the rule.
 void check(const PlanOptions& options);
 
-/// The mesh that planners walk unless they look for a better one: the survey area in faces of
-/// `face_size` x W (kFaceSize where it is empty).
+/// Hypotenuse of the mesh's triangles or side of its quads, metres, unless a planner looks for a
+/// better one.
+[[nodiscard]] double face_size_m(const PlanOptions& options);
+/// Depth regions under this join a neighbour, square metres.
+[[nodiscard]] double smallest_region_m2(const PlanOptions& options);
+
+/// `area` in faces of the options' shape, `size_m` large, their lattice turned by `turn` against
+/// the area's main direction.
+[[nodiscard]] PlanarMesh mesh_of(const Area& area, const PlanOptions& options, double size_m,
+                                 Angle turn = {});
+
+/// The mesh that planners walk unless they look for a better one: the reachable area in faces of
+/// face_size_m().
 [[nodiscard]] PlanarMesh planning_mesh(const PlanningGround& ground, const PlanOptions& options);
 
 /// Depth regions of the planning mesh with the options' bands and sliver size.

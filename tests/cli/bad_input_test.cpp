@@ -122,11 +122,13 @@ TEST(BadOptions, NameOptionValueAndRule) {
   expect_refusal(folder, plan(file, "--depth-bands 100,200"), 2, {"--depth-bands"});
   expect_refusal(folder, plan(file, "--depth-bands 20,10"), 2, {"--depth-bands"});
   expect_refusal(folder, plan(file, "--depth-bands 0"), 2, {"--depth-bands"});
+  expect_refusal(folder, plan(file, "--faces quad --face-size 0"), 2, {"--face-size", "0"});
   expect_refusal(folder, plan(file, "--ping-spacing 0"), 2, {"--ping-spacing"});
   expect_refusal(folder, plan(file, "--sonar sonic-screwdriver"), 2, {"--sonar", "norbit-iwbms"});
   expect_refusal(folder, plan(file, "--vehicle raft"), 2, {"--vehicle", "wam-v"});
   expect_refusal(folder, plan(file, "--start here"), 2, {"--start"});
   expect_refusal(folder, "plan " + file + " --planner magic -o out", 2, {"magic", "mdnuc"});
+  EXPECT_EQ(folder.run(plan(file, "--faces hexagon")).code, 2);
   EXPECT_EQ(folder.run("plan").code, 2);
   EXPECT_EQ(folder.run("").code, 2);
   EXPECT_EQ(folder.run("--help").code, 0);

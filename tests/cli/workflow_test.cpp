@@ -137,6 +137,27 @@ TEST(Compare, HoldsFourPlannersAgainstEachOther) {
   }
 }
 
+TEST(Compare, NucAndMdnucWalkQuadsOnRequest) {
+  const Folder folder;
+  const std::string command =
+      "compare " + dataset("saddle.asc") + " --planners nuc,mdnuc --depth-bands 4 --hit-only ";
+  const auto triangles = folder.run(command + "--face-size 0.93 -o triangles");
+  ASSERT_EQ(triangles.code, 0) << triangles.err;
+  const auto quads = folder.run(command + "--faces quad --face-size 0.75 -o quads");
+  ASSERT_EQ(quads.code, 0) << quads.err;
+  const json plan = json_of(folder / "quads" / "mdnuc" / "plan.json");
+  EXPECT_EQ(plan.at("options").at("faces"), "quad");
+  const json on_triangles = json_of(folder / "triangles" / "mdnuc" / "score.json");
+  for (const char* planner : {"nuc", "mdnuc"}) {
+    const json score = json_of(folder / "quads" / planner / "score.json");
+    EXPECT_GT(score.at("coverage_hit_pct").get<double>(), 88.0);
+    EXPECT_EQ(score.at("self_crossings").get<int>(), 0);
+    EXPECT_LT(score.at("outside_water_m").get<double>(), 0.01);
+  }
+  EXPECT_LT(json_of(folder / "quads" / "mdnuc" / "score.json").at("length_m").get<double>(),
+            0.9 * on_triangles.at("length_m").get<double>());
+}
+
 TEST(Lines, WriteARouteAPictureAndFiguresThatAgree) {
   const Folder folder;
   ASSERT_EQ(

@@ -8,6 +8,7 @@
 
 #include "mesh/gates.h"
 #include "mesh/path_crossings.h"
+#include "mesh/quad_mesh.h"
 #include "mesh/shapes.h"
 #include "mesh/survey_area.h"
 #include "mesh/synthetic.h"
@@ -30,9 +31,11 @@ double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(
 /// How often the path crosses the segment a-b, counted at its inside.
 int crossings(const std::vector<Vec2>& path, const Vec2& a, const Vec2& b) {
   int count = 0;
+  const auto [west, east] = std::minmax(a.x(), b.x());
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const Vec2& p = path[i];
     const Vec2& q = path[i + 1];
+    if ((p.x() < west && q.x() < west) || (p.x() > east && q.x() > east)) continue;
     const double sides = cross(b - a, p - a) * cross(b - a, q - a);
     const double ends = cross(q - p, a - p) * cross(q - p, b - p);
     if (sides < 0.0 && ends < 0.0) ++count;
@@ -106,6 +109,24 @@ std::vector<MeshCase> meshes() {
   add("two waters", unite(box_area(0, 0, 60, 60), box_area(70, 0, 120, 60)), 16.0);
   add("harbour", outline(harbour()), 18.0);
   add("thousands of faces", box_area(0, 0, 700, 500), 12.0);
+  const auto add_quads = [&](std::string name, const Area& area, double side) {
+    cases.push_back({"quads: " + std::move(name), quad_mesh(area, {.side_m = side})});
+  };
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Area water = subtract(subtract(blob(0, 0, 120, seed), blob(30, 20, 20, seed + 1)),
+                                box_area(-60, -30, -20, -27));
+    add_quads("bay " + std::to_string(seed), water, 8.0 + 2.0 * static_cast<double>(seed));
+  }
+  add_quads("a single face", box_area(0, 0, 20, 18), 25.0);
+  add_quads("ring", subtract(box_area(0, 0, 200, 200), box_area(40, 40, 160, 160)), 20.0);
+  add_quads(
+      "narrow neck",
+      unite(unite(box_area(0, 0, 100, 100), box_area(99, 48, 141, 50)), box_area(140, 0, 240, 100)),
+      18.0);
+  add_quads("two waters", unite(box_area(0, 0, 60, 60), box_area(70, 0, 120, 60)), 16.0);
+  add_quads("harbour", outline(harbour()), 18.0);
+  add_quads("coarse harbour", outline(harbour()), 64.0);
+  add_quads("thousands of faces", box_area(0, 0, 700, 500), 10.0);
   return cases;
 }
 
@@ -175,10 +196,34 @@ TEST(Nuc, TreeEdgesAreCrossedOnceInAndOnceOutOthersNever) {
   }
 }
 
+TEST(Nuc, ClosedEdgesAreNeverCrossed) {
+  for (const MeshCase& c : meshes()) {
+    if (c.mesh.faces.size() > 700) continue;
+    SCOPED_TRACE(c.name);
+    const auto edges = shared_edges(c.mesh);
+    std::mt19937_64 random(edges.size());
+    std::vector<char> open;
+    for (std::size_t i = 0; i < edges.size(); ++i) open.push_back(random() % 3 > 0 ? 1 : 0);
+    const auto cycles = nuc_skeleton(c.mesh, edges, open);
+    expect_each_sub_facet_once(c.mesh, cycles);
+    std::vector<std::vector<Vec2>> paths;
+    for (const SkeletonCycle& cycle : cycles) {
+      paths.emplace_back();
+      for (const SkeletonPoint& p : rounded(cycle)) paths.back().push_back(p.position);
+    }
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (open[i] != 0) continue;
+      const auto& face = c.mesh.faces[edges[i].face[0]];
+      const Vec2& a = c.mesh.vertices[face[edges[i].edge[0]]];
+      const Vec2& b = c.mesh.vertices[face[(edges[i].edge[0] + 1) % face.size()]];
+      for (const auto& path : paths) EXPECT_EQ(crossings(path, a, b), 0);
+    }
+  }
+}
+
 /// The MDNUC skeleton of a seafloor, with the rounded path checked against blocked edges and gates.
-void expect_gates_kept(const Seafloor& floor, int bands, double hypotenuse) {
+void expect_gates_kept(const Seafloor& floor, int bands, const PlanarMesh& mesh) {
   const DepthQuery depths(floor);
-  const PlanarMesh mesh = planar_mesh(outline(floor), {.hypotenuse_m = hypotenuse});
   const auto edges = shared_edges(mesh);
   const DepthRegions regions =
       depth_regions(mesh, edges, depths, {.bands = {.count = bands, .limits = {}}});
@@ -215,12 +260,18 @@ void expect_gates_kept(const Seafloor& floor, int bands, double hypotenuse) {
   EXPECT_EQ(changes, 2 * gates.gates.size());
 }
 
+void expect_gates_kept_on_both_meshes(const Seafloor& floor, int bands, double size) {
+  SCOPED_TRACE(size);
+  expect_gates_kept(floor, bands, planar_mesh(outline(floor), {.hypotenuse_m = size}));
+  expect_gates_kept(floor, bands, quad_mesh(outline(floor), {.side_m = size}));
+}
+
 TEST(Mdnuc, GatesAreCrossedOnceInAndOnceOutBlockedEdgesNever) {
-  for (const double hypotenuse : {12.0, 17.0, 25.0}) {
-    expect_gates_kept(saddle(), 4, hypotenuse);
-    expect_gates_kept(shaft(), 2, hypotenuse);
+  for (const double size : {12.0, 17.0, 25.0}) {
+    expect_gates_kept_on_both_meshes(saddle(), 4, size);
+    expect_gates_kept_on_both_meshes(shaft(), 2, size);
   }
-  expect_gates_kept(harbour(), 4, 25.0);
+  expect_gates_kept_on_both_meshes(harbour(), 4, 25.0);
 }
 
 // Regions that form a ring around an island: every neighbour pair has a border, but a gate for each
@@ -234,7 +285,7 @@ TEST(Mdnuc, ARingOfRegionsIsEnteredOnce) {
   std::erase_if(floor.faces, [&](const Seafloor::Face& f) {
     return (floor.vertices[f[0]].head<2>() - Vec2(60, 60)).norm() < 22;
   });
-  expect_gates_kept(floor, 2, 14.0);
+  expect_gates_kept_on_both_meshes(floor, 2, 14.0);
 }
 
 TEST(Nuc, CornersAreRoundedInsideTheirFace) {
