@@ -7,11 +7,12 @@ cd "$(dirname "$0")/.."
 program=build/release/bin/swathplan
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
+planners=back-and-forth,multi-depth,nuc,mdnuc
 
 row() {  # name, file, options...
   local name=$1 file=$2
   shift 2
-  "$program" compare "$file" --planners back-and-forth,multi-depth,nuc,mdnuc -o "$out" "$@" 2>/dev/null |
+  "$program" compare "$file" --planners "$planners" -o "$out" "$@" 2>/dev/null |
     awk -v name="$name" '/^(B&F|MDB&F|NUC|MDNUC) / { row = row sprintf(" | %.1f [%.2f]", $2, $6); outside += $10 }
       END { printf "| %s%s | %.1f |\n", name, row, outside }'
 }
@@ -35,4 +36,17 @@ for file in "$@"; do
   for cell in 0.10 0.25; do
     row "$(basename "$file") $cell" "$file" --resolution $cell --max-opening 140
   done
+done
+
+planners=nuc,mdnuc
+echo
+echo "| seafloor, cell, on quads | NUC | MDNUC | outside water, m |"
+echo "|---|---|---|---|"
+for cell in 0.10 0.25; do
+  row "saddle $cell" datasets/saddle.asc --faces quad --resolution $cell --depth-bands 4
+  row "shaft $cell" datasets/shaft.obj --faces quad --resolution $cell
+  row "harbour $cell" datasets/harbour.asc --faces quad --resolution $cell
+done
+for file in "$@"; do
+  row "$(basename "$file") 0.25" "$file" --faces quad --resolution 0.25 --max-opening 140
 done
