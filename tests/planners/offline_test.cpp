@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "coverage/ray_scene.h"
 #include "coverage/route_figures.h"
 #include "mesh/error.h"
 #include "mesh/shapes.h"
@@ -60,6 +61,37 @@ TEST(Planners, EveryRouteIsValidAndStaysInTheWater) {
       EXPECT_GT(figures.min_under_keel_m, 0.0);
     }
   }
+}
+
+TEST(Planners, QuadsKeepTheRouteInTheWaterToo) {
+  for (Seafloor floor : {saddle(), shaft(), harbour()}) {
+    const Site site(std::move(floor));
+    for (const Planner plan : {plan_nuc, plan_mdnuc}) {
+      PlanOptions o = options(0.10, 3);
+      const Plan triangles = plan(site.ground, o);
+      o.faces = FaceShape::quad;
+      const Plan quads = plan(site.ground, o);
+      EXPECT_TRUE(is_valid(quads.route));
+      EXPECT_LT(quads.mesh.faces.size(), triangles.mesh.faces.size());
+      const RouteFigures figures = route_figures(quads.route, {}, site.ground.water, site.depths,
+                                                 area_m2(site.ground.survey_area), 25.6);
+      EXPECT_LT(figures.outside_water_m, 0.01);
+    }
+  }
+}
+
+// Finer or turned: with so few faces the simulator finds better than the plain lattice.
+TEST(Planners, TheSimulatorChoosesAmongMeshesOfFewQuads) {
+  Site site(saddle());
+  PlanOptions o = options(0.25, 2);
+  o.faces = FaceShape::quad;
+  const Plan plain = plan_nuc(site.ground, o);
+  const RayScene scene(site.floor, Nodata::wall);
+  site.ground.scene = &scene;
+  const Plan chosen = plan_nuc(site.ground, o);
+  ASSERT_FALSE(chosen.notes.empty());
+  EXPECT_NE(chosen.notes.back().find("of 12 meshes"), std::string::npos) << chosen.notes.back();
+  EXPECT_NE(chosen.mesh.vertices, plain.mesh.vertices);
 }
 
 TEST(Planners, StartPointIsTaken) {
