@@ -28,9 +28,10 @@ done
 for cell in 0.10 0.25; do
   row "harbour $cell" datasets/harbour.asc --resolution $cell --depth-bands 2
 done
+row "saddle 0.10, pings each 0.03 m" datasets/saddle.asc --depth-bands 4 --ping-spacing 0.03
+row "shaft 0.10, pings each 0.03 m" datasets/shaft.obj --depth-bands 2 --ping-spacing 0.03
 row "saddle 0.10, pings each 0.03 m, faces 0.65 W" datasets/saddle.asc --depth-bands 4 --ping-spacing 0.03 --face-size 0.65
 row "shaft 0.10, pings each 0.03 m, faces 0.65 W" datasets/shaft.obj --depth-bands 2 --ping-spacing 0.03 --face-size 0.65
-row "shaft 0.25, faces 0.75 W" datasets/shaft.obj --resolution 0.25 --depth-bands 2 --face-size 0.75
 row "shaft 0.10, turning on the spot" datasets/shaft.obj --depth-bands 2 --turn-radius 0.05
 for file in "$@"; do
   for cell in 0.10 0.25; do
