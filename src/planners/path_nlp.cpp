@@ -8,6 +8,10 @@ namespace {
 using Ipopt::Index;
 using Ipopt::Number;
 
+/// Ipopt takes this for no bound. A norm is never below 0, but a bound of 0 is one that Ipopt keeps
+/// away from: straight stretches would be bent.
+constexpr double kNoBound = -1e20;
+
 double residual(const LinearTerm& term, const Number* x) {
   double sum = -term.target;
   for (const auto& [variable, factor] : term.parts) sum += factor * x[variable];
@@ -51,7 +55,7 @@ bool PathNlp::get_bounds_info(Index, Number* x_l, Number* x_u, Index, Number* g_
     }
   }
   for (const NormConstraint& norm : problem_.norms) {
-    *g_l++ = norm.lower;
+    *g_l++ = norm.lower > 0.0 ? norm.lower : kNoBound;
     *g_u++ = norm.upper;
   }
   return true;

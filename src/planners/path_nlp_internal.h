@@ -15,7 +15,7 @@ struct LinearTerm {
   double weight = 1.0;
 };
 
-/// lower <= |sum of coefficient x point|^2 <= upper.
+/// lower <= |sum of coefficient x point|^2 <= upper; a `lower` of 0 is no bound.
 struct NormConstraint {
   std::vector<std::pair<int, double>> parts;  ///< point, coefficient
   double lower = 0.0, upper = 0.0;

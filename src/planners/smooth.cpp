@@ -33,6 +33,10 @@ constexpr double kRoomShare = 0.9;
 constexpr std::size_t kHeld = 2;
 constexpr int kMostIterations = 80;
 constexpr double kTolerance = 1e-3;
+/// Ipopt's barrier begins here: the skeleton is near the solution, a larger one leads away first.
+constexpr double kFirstBarrier = 1e-2;
+/// ... and the start is moved off its bounds by this share at most.
+constexpr double kBoundPush = 1e-2;
 /// Norms may miss their bounds by this share of the step squared.
 constexpr double kFeasible = 1e-6;
 
@@ -260,8 +264,8 @@ Solved solve(const PathProblem& problem) {
   app->Options()->SetStringValue("sb", "yes");
   app->Options()->SetIntegerValue("max_iter", kMostIterations);
   app->Options()->SetNumericValue("tol", kTolerance);
-  app->Options()->SetNumericValue("bound_push", 1e-8);
-  app->Options()->SetStringValue("mu_strategy", "adaptive");
+  app->Options()->SetNumericValue("bound_push", kBoundPush);
+  app->Options()->SetNumericValue("mu_init", kFirstBarrier);
   app->Options()->SetNumericValue("bound_relax_factor", 0.0);
   if (app->Initialize("") != Ipopt::Solve_Succeeded) return {"not started", false, {}};
   const auto status = app->OptimizeTNLP(nlp);

@@ -139,6 +139,16 @@ TEST(PathNlp, HessianMatchesFiniteDifferencesOfTheLagrangian) {
   }
 }
 
+TEST(PathNlp, ANormIsBoundedBelowOnlyByMoreThanZero) {
+  const PathProblem problem = sample_problem();
+  PathNlp nlp(problem);
+  std::vector<double> x_low(12), x_high(12), low(2), high(2);
+  nlp.get_bounds_info(12, x_low.data(), x_high.data(), 2, low.data(), high.data());
+  EXPECT_LT(low[0], -1e19);  // Ipopt's infinity: 0 would be a barrier that bends straight stretches
+  EXPECT_EQ(low[1], 0.5);
+  EXPECT_EQ(high[0], 4.0);
+}
+
 std::vector<Vec2> staircase(int steps) {
   std::vector<Vec2> path{{0, 0}};
   for (int i = 0; i < steps; ++i) {
@@ -223,6 +233,13 @@ TEST(Smooth, WindowsTogetherCoverALongPathTheSameEachTime) {
   const SmoothResult again = smooth_path(staircase(40), options);
   EXPECT_GT(once.windows, 5U);
   EXPECT_EQ(once.points, again.points);
+}
+
+TEST(Smooth, EveryWindowIsSolvedBeforeTheIterationLimit) {
+  const SmoothResult result = smooth_path(staircase(60), {});
+  EXPECT_GT(result.windows, 1U);
+  EXPECT_EQ(result.status, (std::map<std::string, std::size_t>{{"solved", result.windows}}));
+  EXPECT_EQ(result.failed_m, 0.0);
 }
 
 TEST(Smooth, RefusesOptionsOutOfRange) {
