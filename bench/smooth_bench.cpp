@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <vector>
 
 #include "mesh/memory.h"
+#include "mesh/synthetic.h"
 #include "planners/nuc.h"
 #include "planners/skeleton_smoothing.h"
 
@@ -19,9 +21,10 @@ using namespace swathplan;
 
 /// NUC over faces of kFaceSize W is about so many times as long as area / W.
 constexpr double kLengthRatio = 2.95;
+constexpr double kDepth = 20.0;
 
-Ring square(double half_m, bool counterclockwise) {
-  Ring ring{{-half_m, -half_m}, {half_m, -half_m}, {half_m, half_m}, {-half_m, half_m}};
+Ring square(double low_m, double high_m, bool counterclockwise) {
+  Ring ring{{low_m, low_m}, {high_m, low_m}, {high_m, high_m}, {low_m, high_m}};
   if (!counterclockwise) std::reverse(ring.begin(), ring.end());
   return ring;
 }
@@ -29,13 +32,17 @@ Ring square(double half_m, bool counterclockwise) {
 void run(double kilometres) {
   PlanOptions options;
   const double width = footprint_width_m(options);
-  const double half = 0.5 * std::sqrt(1000.0 * kilometres / kLengthRatio * width);
-  const Area water{{square(half, true), {square(0.15 * half, false)}}};
+  const double side = std::floor(std::sqrt(1000.0 * kilometres / kLengthRatio * width));
+  const Seafloor seafloor = flat(side, side, kDepth);
+  const DepthQuery depths(seafloor);
+  const Area water{{square(0.0, side, true), {square(0.42 * side, 0.58 * side, false)}}};
   const PlanarMesh mesh = planar_mesh(water, {.hypotenuse_m = kFaceSize * width});
   const auto cycles = nuc_skeleton(mesh, shared_edges(mesh));
   SmoothResult verdict;
   const auto begin = std::chrono::steady_clock::now();
-  const auto path = smoothed(cycles.front(), {}, water, smoothing_for(options), verdict);
+  const ThinCover cover(depths, water, options);
+  const FannedCover fanned{cover, [&](std::uint32_t) { return fan_for_depth(options, kDepth); }};
+  const auto path = smoothed(cycles.front(), {}, water, smoothing_for(options), verdict, &fanned);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   double length = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) {

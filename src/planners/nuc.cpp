@@ -296,8 +296,9 @@ double nearest(const SkeletonCycle& cycle, const Vec2& p) {
 std::vector<SkeletonPoint> path_of(const SkeletonCycle& cycle,
                                    const std::vector<std::pair<Vec2, Vec2>>& blocked,
                                    const PlanningGround& ground, const PlanOptions& options,
-                                   SmoothResult& verdict) {
-  if (options.smooth) return smoothed(cycle, blocked, ground.water, *options.smooth, verdict);
+                                   SmoothResult& verdict, const FannedCover* cover) {
+  if (options.smooth)
+    return smoothed(cycle, blocked, ground.water, *options.smooth, verdict, cover);
   return rounded(cycle, (1.0 + kRadiusReserve) * options.vehicle.turn_radius_m);
 }
 
@@ -322,6 +323,15 @@ Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
   RouteBuilder builder(ground, options);
   int line = 1;
   SmoothResult verdict;
+  const auto fan_of = [&](std::uint32_t face) {
+    return fans[region_of.empty() ? 0 : region_of[face]];
+  };
+  std::optional<ThinCover> cover;
+  std::optional<FannedCover> fanned;
+  if (options.smooth) {
+    cover.emplace(*ground.depths, ground.survey_area, options);
+    fanned.emplace(FannedCover{*cover, fan_of});
+  }
   while (!left.empty()) {
     auto pick = left.begin();
     if (at) {
@@ -333,7 +343,8 @@ Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
       begin_near(*pick, pick->front().position);
     }
     std::vector<Waypoint> points;
-    for (const SkeletonPoint& point : path_of(*pick, blocked, ground, options, verdict)) {
+    for (const SkeletonPoint& point :
+         path_of(*pick, blocked, ground, options, verdict, fanned ? &*fanned : nullptr)) {
       Waypoint w;
       w.position = point.position;
       w.line = line;

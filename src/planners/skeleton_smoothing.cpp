@@ -61,6 +61,18 @@ class Room {
 
 /// Arcs between steps of unequal length turn a little tighter than the bound on their chords.
 constexpr double kSmoothReserve = 1.05;
+/// A point is moved by so many metres for each square metre a metre that this would fill ...
+constexpr double kPullStep = 1.0;
+/// ... and by no more than this at once: passes would swing past each other.
+constexpr double kLongestPullM = 1.0;
+
+std::vector<Vec2> pulled(std::vector<Vec2> points, const ThinCover::Pull& pull) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2 way = kPullStep * pull.down[i];
+    points[i] += std::min(1.0, kLongestPullM / std::max(way.norm(), 1e-12)) * way;
+  }
+  return points;
+}
 
 }  // namespace
 
@@ -69,14 +81,17 @@ SmoothOptions smoothing_for(const PlanOptions& options) {
   smooth.radius_m = kSmoothReserve * options.vehicle.turn_radius_m;
   smooth.width_m = footprint_width_m(options);
   smooth.step_m = smooth.width_m / 16.0;
-  smooth.deviation_m = smooth.width_m / 12.0;
+  smooth.deviation_m = kSmoothReach * smooth.width_m;
+  smooth.curvature_weight = 3.0;
+  smooth.deviation_weight = 0.2;
+  smooth.spacing_weight = 0.0;  // the pull of what is empty does it better
   return smooth;
 }
 
 std::vector<SkeletonPoint> smoothed(const SkeletonCycle& cycle,
                                     const std::vector<std::pair<Vec2, Vec2>>& blocked,
                                     const Area& water, const SmoothOptions& options,
-                                    SmoothResult& verdict) {
+                                    SmoothResult& verdict, const FannedCover* cover) {
   std::vector<Vec2> line;
   std::vector<double> along;
   for (const SkeletonPoint& p : cycle) {
@@ -86,13 +101,22 @@ std::vector<SkeletonPoint> smoothed(const SkeletonCycle& cycle,
   SmoothOptions bounded = options;
   const Room room(blocked, water, options.deviation_m + options.step_m);
   bounded.room = [&](const Vec2& a, const Vec2& b) { return room(a, b); };
+  const auto source = [&](double at) {
+    const auto next = std::upper_bound(along.begin() + 1, along.end(), at);
+    return static_cast<std::size_t>(next - along.begin()) - 1;
+  };
+  if (cover != nullptr) {
+    bounded.pull = [&](const std::vector<Vec2>& points, const std::vector<double>& at) {
+      std::vector<FanAngles> fans;
+      for (const double a : at) fans.push_back(cover->fan_of(cycle[source(a)].face));
+      return pulled(points, cover->cover.pull(points, fans));
+    };
+  }
   SmoothResult found = smooth_path(line, bounded);
   const ArcPath path = with_arcs(found.points);
   std::vector<SkeletonPoint> result;
   for (std::size_t i = 0; i < path.points.size(); ++i) {
-    const double at = found.along[path.source[i]];
-    const auto next = std::upper_bound(along.begin() + 1, along.end(), at);
-    SkeletonPoint point = cycle[static_cast<std::size_t>(next - along.begin()) - 1];
+    SkeletonPoint point = cycle[source(found.along[path.source[i]])];
     point.position = path.points[i];
     result.push_back(point);
   }

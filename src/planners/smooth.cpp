@@ -15,6 +15,7 @@
 #include "mesh/error.h"
 #include "planners/line_poses.h"
 #include "planners/path_nlp_internal.h"
+#include "planners/path_relaxation_internal.h"
 
 namespace swathplan {
 namespace {
@@ -69,37 +70,55 @@ Samples sampled(const LinePoses& line, double step) {
   return s;
 }
 
+/// Points in square cells, to be found by their neighbourhood.
+class PointGrid {
+ public:
+  PointGrid(const std::vector<Vec2>& points, double cell) : cell_(cell) {
+    for (std::size_t i = 0; i < points.size(); ++i) cells_[key(points[i], 0, 0)].push_back(i);
+  }
+
+  /// Every point in the cells up to `reach` away from that of `p`.
+  template <typename Visit>
+  void around(const Vec2& p, int reach, const Visit& visit) const {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      for (int dy = -reach; dy <= reach; ++dy) {
+        const auto there = cells_.find(key(p, dx, dy));
+        if (there == cells_.end()) continue;
+        for (const std::size_t j : there->second) visit(j);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] std::int64_t key(const Vec2& p, int dx, int dy) const {
+    const auto x = static_cast<std::int64_t>(std::floor(p.x() / cell_)) + dx;
+    const auto y = static_cast<std::int64_t>(std::floor(p.y() / cell_)) + dy;
+    return (x << 32) ^ (y & 0xFFFFFFFF);
+  }
+
+  double cell_;
+  std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
+};
+
 /// For each point the nearest pass to port and to starboard within W that runs about along it.
 std::vector<Neighbour> neighbours(const Samples& s, const SmoothOptions& o) {
   constexpr double kAbeam = 0.35;  // of the unit vector: at most so far ahead or astern
-  const double cell = 0.5 * o.width_m;
-  const auto key = [&](const Vec2& p, int dx, int dy) {
-    const auto x = static_cast<std::int64_t>(std::floor(p.x() / cell)) + dx;
-    const auto y = static_cast<std::int64_t>(std::floor(p.y() / cell)) + dy;
-    return (x << 32) ^ (y & 0xFFFFFFFF);
-  };
-  std::unordered_map<std::int64_t, std::vector<std::size_t>> cells;
-  for (std::size_t i = 0; i < s.points.size(); ++i) cells[key(s.points[i], 0, 0)].push_back(i);
   std::vector<Neighbour> result;
+  if (!(o.spacing_weight > 0.0)) return result;
+  const PointGrid grid(s.points, 0.5 * o.width_m);
   for (std::size_t i = 1; i + 1 < s.points.size(); ++i) {
     const Vec2 u = (s.points[i + 1] - s.points[i - 1]).normalized();
     std::array<double, 2> best{o.width_m, o.width_m};
     std::array<std::size_t, 2> found{i, i};
-    for (int dx = -2; dx <= 2; ++dx) {
-      for (int dy = -2; dy <= 2; ++dy) {
-        const auto there = cells.find(key(s.points[i], dx, dy));
-        if (there == cells.end()) continue;
-        for (const std::size_t j : there->second) {
-          const Vec2 way = s.points[j] - s.points[i];
-          const double distance = way.norm();
-          if (distance < 2.0 * s.step || std::abs(u.dot(way)) > kAbeam * distance) continue;
-          const std::size_t side = u.x() * way.y() - u.y() * way.x() > 0.0 ? 0 : 1;
-          if (distance >= best[side]) continue;
-          best[side] = distance;
-          found[side] = j;
-        }
-      }
-    }
+    grid.around(s.points[i], 2, [&](std::size_t j) {
+      const Vec2 way = s.points[j] - s.points[i];
+      const double distance = way.norm();
+      if (distance < 2.0 * s.step || std::abs(u.dot(way)) > kAbeam * distance) return;
+      const std::size_t side = u.x() * way.y() - u.y() * way.x() > 0.0 ? 0 : 1;
+      if (distance >= best[side]) return;
+      best[side] = distance;
+      found[side] = j;
+    });
     for (const std::size_t j : found) {
       if (j != i) result.push_back({i, j, (s.points[j] - s.points[i]).normalized()});
     }
@@ -107,9 +126,27 @@ std::vector<Neighbour> neighbours(const Samples& s, const SmoothOptions& o) {
   return result;
 }
 
+/// The deviation bound, or a share of the distance to the nearest other pass if that is less: two
+/// passes that may move so far do not meet.
+std::vector<double> shares_between_passes(const Samples& s, const SmoothOptions& o) {
+  constexpr double kPassShare = 0.47;
+  constexpr double kOtherPass = 2.5;  // as far along the path, in distances, as no turn is
+  std::vector<double> room(s.points.size(), o.deviation_m);
+  const double reach = o.deviation_m / kPassShare;
+  const PointGrid grid(s.points, std::max(reach, s.step));
+  for (std::size_t i = 0; i < s.points.size(); ++i) {
+    grid.around(s.points[i], 1, [&](std::size_t j) {
+      const double distance = (s.points[j] - s.points[i]).norm();
+      if (std::abs(s.along[j] - s.along[i]) < std::max(kOtherPass * distance, 2.0 * s.step)) return;
+      room[i] = std::min(room[i], kPassShare * distance);
+    });
+  }
+  return room;
+}
+
 /// How far each point may move: box half-sides.
 std::vector<double> rooms(const Samples& s, const SmoothOptions& o) {
-  std::vector<double> room(s.points.size(), o.deviation_m);
+  std::vector<double> room = shares_between_passes(s, o);
   for (std::size_t i = 0; o.room && i + 1 < s.points.size(); ++i) {
     const double free = std::max(0.0, kRoomShare * o.room(s.points[i], s.points[i + 1]));
     room[i] = std::min(room[i], free);
@@ -122,9 +159,9 @@ std::vector<double> rooms(const Samples& s, const SmoothOptions& o) {
 /// The problem of the points [from, to) with the rest where it is.
 class Window {
  public:
-  Window(const Samples& s, const std::vector<Vec2>& now, const std::vector<double>& room,
-         const SmoothOptions& o, std::size_t from, std::size_t to)
-      : s_(s), now_(now), room_(room), o_(o), from_(from), to_(to) {
+  Window(const Samples& s, const std::vector<Vec2>& wanted, const std::vector<Vec2>& now,
+         const std::vector<double>& room, const SmoothOptions& o, std::size_t from, std::size_t to)
+      : s_(s), wanted_(wanted), now_(now), room_(room), o_(o), from_(from), to_(to) {
     const std::size_t n = to - from;
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = from + k;
@@ -173,7 +210,7 @@ class Window {
                                     o_.curvature_weight});
         }
         problem_.terms.push_back({{{2 * k + axis, scale}},
-                                  scale * s_.points[from_ + static_cast<std::size_t>(k)][axis],
+                                  scale * wanted_[from_ + static_cast<std::size_t>(k)][axis],
                                   o_.deviation_weight});
       }
     }
@@ -210,6 +247,7 @@ class Window {
   }
 
   const Samples& s_;
+  const std::vector<Vec2>& wanted_;
   const std::vector<Vec2>& now_;
   const std::vector<double>& room_;
   const SmoothOptions& o_;
@@ -287,6 +325,44 @@ void check(const SmoothOptions& o) {
 
 }  // namespace
 
+namespace {
+
+/// Every window once, each held to what its neighbours found.
+void solve_windows(const Samples& s, const std::vector<Vec2>& wanted,
+                   const std::vector<double>& room, const std::vector<Neighbour>& pairs,
+                   const SmoothOptions& o, SmoothResult& result) {
+  const std::size_t n = s.points.size();
+  std::size_t pair = 0;
+  for (std::size_t from = 0; from < n;) {
+    const std::size_t to = std::min(n, from + o.window);
+    Window window(s, wanted, result.points, room, o, from, to);
+    while (pair > 0 && pairs[pair - 1].i >= from) --pair;
+    while (pair < pairs.size() && pairs[pair].i < from) ++pair;
+    for (; pair < pairs.size() && pairs[pair].i < to; ++pair) window.add_spacing(pairs[pair]);
+    const Solved solved = solve(window.problem());
+    ++result.windows;
+    ++result.status[solved.status];
+    const std::size_t settled = to == n ? n : to - o.overlap;
+    if (solved.good) {
+      // The part to be solved again goes on from what was found.
+      for (std::size_t k = 0; k < solved.points.size(); ++k)
+        result.points[from + k] = solved.points[k];
+    } else {
+      ++result.failed_windows;
+      const auto kept = static_cast<std::ptrdiff_t>(from > 0 ? from + kHeld : from);
+      std::copy(s.points.begin() + kept, s.points.begin() + static_cast<std::ptrdiff_t>(settled),
+                result.points.begin() + kept);
+      result.failed_m += s.step * static_cast<double>(settled - from);
+      std::fill(result.smoothed.begin() + static_cast<std::ptrdiff_t>(from),
+                result.smoothed.begin() + static_cast<std::ptrdiff_t>(settled), char{0});
+    }
+    if (to == n) break;
+    from = settled - kHeld;
+  }
+}
+
+}  // namespace
+
 SmoothResult smooth_path(const std::vector<Vec2>& skeleton, const SmoothOptions& o) {
   check(o);
   SmoothResult result;
@@ -304,30 +380,16 @@ SmoothResult smooth_path(const std::vector<Vec2>& skeleton, const SmoothOptions&
   result.points = s.points;
   result.along = s.along;
   result.smoothed.assign(n, 1);
-  std::size_t pair = 0;
-  for (std::size_t from = 0; from < n;) {
-    const std::size_t to = std::min(n, from + o.window);
-    Window window(s, result.points, room, o, from, to);
-    while (pair > 0 && pairs[pair - 1].i >= from) --pair;
-    while (pair < pairs.size() && pairs[pair].i < from) ++pair;
-    for (; pair < pairs.size() && pairs[pair].i < to; ++pair) window.add_spacing(pairs[pair]);
-    const Solved solved = solve(window.problem());
-    ++result.windows;
-    ++result.status[solved.status];
-    const std::size_t settled = to == n ? n : to - o.overlap;
-    if (solved.good) {
-      // The part to be solved again goes on from what was found.
-      for (std::size_t k = 0; k < solved.points.size(); ++k)
-        result.points[from + k] = solved.points[k];
-    } else {
-      ++result.failed_windows;
-      result.failed_m += s.step * static_cast<double>(settled - from);
-      std::fill(result.smoothed.begin() + static_cast<std::ptrdiff_t>(from),
-                result.smoothed.begin() + static_cast<std::ptrdiff_t>(settled), char{0});
+  std::vector<Vec2> wanted = s.points;
+  if (o.pull && o.pull_rounds > 0) {
+    const PathRelaxation relaxation(n, o.curvature_weight, o.deviation_weight);
+    for (int round = 0; round + 1 < o.pull_rounds; ++round) {
+      wanted = o.pull(result.points, result.along);
+      result.points = relaxation.relaxed(wanted, s.points, room);
     }
-    if (to == n) break;
-    from = settled - kHeld;
+    wanted = o.pull(result.points, result.along);
   }
+  solve_windows(s, wanted, room, pairs, o, result);
   return result;
 }
 
@@ -361,7 +423,13 @@ ArcPath with_arcs(const std::vector<Vec2>& path, double step_deg) {
     const Vec2 arm = -side * (reach / tangent) * Vec2(-u.y(), u.x());
     const auto parts = static_cast<int>(
         std::max(1.0, std::ceil(std::abs(turn) * 180.0 / std::numbers::pi / step_deg)));
-    for (int k = 0; k <= parts; ++k) {
+    // Steps of almost equal length would leave a sliver between their arcs: the arcs meet in its
+    // middle.
+    constexpr double kSliverM = 0.02;
+    const bool sliver =
+        result.points.size() > 1 && (result.points.back() - begin).norm() < kSliverM;
+    if (sliver) result.points.back() = 0.5 * (result.points.back() + begin);
+    for (int k = sliver ? 1 : 0; k <= parts; ++k) {
       const double c = std::cos(turn * k / parts);
       const double sn = std::sin(turn * k / parts);
       add(begin - arm + Vec2(c * arm.x() - sn * arm.y(), sn * arm.x() + c * arm.y()), i);

@@ -24,6 +24,12 @@ struct SmoothOptions {
   /// Metres from a segment to what the path must not cross (the water's edge, blocked edges); no
   /// point moves farther than that. Empty: open water.
   std::function<double(const Vec2&, const Vec2&)> room = {};
+  /// Where points are wanted, given where they are and how many metres along the skeleton they come
+  /// from. Asked `pull_rounds` times: after each round but the last the path is relaxed towards the
+  /// answer without the constraints, after the last Ipopt solves the problem near the answer.
+  /// Empty: the skeleton's own points.
+  std::function<std::vector<Vec2>(const std::vector<Vec2>&, const std::vector<double>&)> pull = {};
+  int pull_rounds = 8;
 };
 
 struct SmoothResult {
@@ -36,12 +42,12 @@ struct SmoothResult {
 };
 
 /// Moves the points of a path, sampled at an even step, to where its curvature changes least, near
-/// the skeleton, with neighbouring passes apart towards W: docs/smoothing.md states the problem.
+/// the skeleton and where `pull` wants them: docs/smoothing.md states the problem.
 /// Solved by Ipopt in overlapping windows, one after another: O(length). Guarantees: (1) both ends
-/// stay; (2) no point moves farther than `deviation_m`, nor than its segments' room, so nothing is
-/// crossed that the skeleton does not cross; (3) a window that Ipopt does not solve keeps the
-/// skeleton and is counted. Points of a skeleton that coincide are dropped; a path shorter than
-/// four steps comes back as it is. Deterministic.
+/// stay; (2) no point moves farther than `deviation_m`, nor than its segments' room, nor half-way
+/// to the next pass, so nothing is crossed that the skeleton does not cross; (3) a window that
+/// Ipopt does not solve keeps the skeleton and is counted. Points of a skeleton that coincide are
+/// dropped; a path shorter than four steps comes back as it is. Deterministic.
 /// @throws UsageError for an option out of its range.
 [[nodiscard]] SmoothResult smooth_path(const std::vector<Vec2>& skeleton,
                                        const SmoothOptions& options);

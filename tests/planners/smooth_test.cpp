@@ -8,6 +8,7 @@
 #include "mesh/error.h"
 #include "planners/line_poses.h"
 #include "planners/path_nlp_internal.h"
+#include "planners/path_relaxation_internal.h"
 
 namespace swathplan {
 namespace {
@@ -212,6 +213,56 @@ TEST(Smooth, PassesMoveApart) {
     ++count;
   }
   EXPECT_LT(middle / count, 9.7);
+}
+
+TEST(Smooth, PointsGoWhereTheyArePulledWithinTheirBound) {
+  SmoothOptions options{.deviation_m = 1.5, .spacing_weight = 0.0, .pull_rounds = 6};
+  int asked = 0;
+  options.pull = [&](std::vector<Vec2> points, const std::vector<double>& along) {
+    EXPECT_EQ(points.size(), along.size());
+    for (Vec2& p : points) p.y() += 0.5;
+    ++asked;
+    return points;
+  };
+  const SmoothResult result = smooth_path({{0, 0}, {60, 0}}, options);
+  EXPECT_EQ(asked, 6);
+  EXPECT_EQ(result.failed_windows, 0U);
+  EXPECT_NEAR(result.points.front().y(), 0.0, 1e-9);
+  EXPECT_NEAR(result.points.back().y(), 0.0, 1e-9);
+  const double middle = result.points[result.points.size() / 2].y();
+  EXPECT_GT(middle, 0.8);
+  EXPECT_LT(middle, 1.5);
+}
+
+TEST(Smooth, PassesDoNotMeet) {
+  // Two passes 2 m apart, each pulled towards the other.
+  const std::vector<Vec2> skeleton{{0, 0}, {60, 0}, {60, 2}, {0, 2}};
+  SmoothOptions options{.deviation_m = 3.0, .spacing_weight = 0.0};
+  options.pull = [](std::vector<Vec2> points, const std::vector<double>& along) {
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].y() += along[i] < 61.0 ? 1.0 : -1.0;
+    return points;
+  };
+  const SmoothResult result = smooth_path(skeleton, options);
+  for (std::size_t i = 0; i < result.points.size(); ++i) {
+    if (result.along[i] < 50.0) {
+      EXPECT_LT(result.points[i].y(), 1.0);
+    } else if (result.along[i] > 72.0) {
+      EXPECT_GT(result.points[i].y(), 1.0);
+    }
+  }
+}
+
+TEST(PathRelaxation, KeepsStraightLinesAndEndsAndClamps) {
+  const std::vector<Vec2> line{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}};
+  const PathRelaxation relaxation(line.size(), 3.0, 0.2);
+  const std::vector<double> room(line.size(), 0.25);
+  const auto same = relaxation.relaxed(line, line, room);
+  for (std::size_t i = 0; i < line.size(); ++i) EXPECT_LT((same[i] - line[i]).norm(), 1e-6);
+  auto wanted = line;
+  for (Vec2& p : wanted) p.y() += 2.0;
+  const auto moved = relaxation.relaxed(wanted, line, room);
+  EXPECT_EQ(moved.front(), line.front());
+  EXPECT_EQ(moved[2].y(), 0.25);
 }
 
 TEST(Smooth, DegeneratePathsComeBackAsTheyAre) {
