@@ -64,6 +64,7 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
   facts.choices = survey.plan.choices;
   facts.chosen = survey.plan.chosen;
   facts.chosen_why = survey.plan.chosen_why;
+  facts.violations = plan_violations(survey.plan.route, facts.vehicle, site.water);
   facts.notes = survey.plan.notes;
   facts.notes.insert(facts.notes.end(), site.notes.begin(), site.notes.end());
   write_plan_json(folder / "plan.json", facts, frame, provenance);

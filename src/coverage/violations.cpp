@@ -1,5 +1,7 @@
 #include "coverage/violations.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -127,6 +129,27 @@ std::vector<Violation> violations(const Route& route, const Vehicle& vehicle, co
   add_tight(route, vehicle.turn_radius_m, list);
   for (Violation& v : list) v.position = halfway(route, v.first, v.last);
   return list;
+}
+
+std::string reason(const Violation& v, const Route& route, const Vehicle& vehicle) {
+  switch (v.kind) {
+    case ViolationKind::infeasible: {
+      const LegKind leg = route.waypoints[v.first].kind;
+      if (leg == LegKind::turn || leg == LegKind::transit) {
+        return fmt::format("no forward way with turns of {:g} m stays in safe water",
+                           vehicle.turn_radius_m);
+      }
+      return fmt::format(
+          "bends tighter than {:g} m, and no forward way around it stays in safe water",
+          vehicle.turn_radius_m);
+    }
+    case ViolationKind::outside_water:
+      return "too shoal, on land, too close to a wall, or inside no-go";
+    case ViolationKind::tight_turn:
+      return fmt::format("a radius of {:.2f} m, where the vehicle needs {:g} m", v.radius_m,
+                         vehicle.turn_radius_m);
+  }
+  return {};
 }
 
 }  // namespace swathplan

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,5 +32,9 @@ struct Violation {
 /// RouteFigures::infeasible_legs; (2) the lengths outside the water add up to outside_water_m.
 [[nodiscard]] std::vector<Violation> violations(const Route& route, const Vehicle& vehicle,
                                                 const Area& water);
+
+/// Why it must not be sailed so: one sentence without a full stop.
+[[nodiscard]] std::string reason(const Violation& violation, const Route& route,
+                                 const Vehicle& vehicle);
 
 }  // namespace swathplan

@@ -66,6 +66,19 @@ Json choices_json(const PlanFacts& facts) {
   return list;
 }
 
+Json violations_json(const PlanFacts& facts, const Frame& frame) {
+  Json list = Json::array();
+  for (const PlanViolation& v : facts.violations) {
+    list.push_back({{"what", name(v.violation.kind)},
+                    {"leg", v.leg},
+                    {"waypoints", {v.violation.first, v.violation.last}},
+                    {"at_xy", point(v.violation.position, frame)},
+                    {"length_m", v.violation.length_m},
+                    {"reason", v.reason}});
+  }
+  return list;
+}
+
 Json sonar_json(const Sonar& s) {
   return {{"name", s.name},
           {"beams", s.beams},
@@ -115,6 +128,16 @@ PlanFacts plan_facts(const std::string& planner, const PlanarMesh& mesh,
   return facts;
 }
 
+std::vector<PlanViolation> plan_violations(const Route& route, const Vehicle& vehicle,
+                                           const Area& water) {
+  std::vector<PlanViolation> list;
+  for (const Violation& v : violations(route, vehicle, water)) {
+    list.push_back(
+        {v, std::string(name(route.waypoints[v.first].kind)), reason(v, route, vehicle)});
+  }
+  return list;
+}
+
 std::string plan_json(const PlanFacts& facts, const Frame& frame, const Provenance& provenance) {
   Json json = internal::to_json(provenance);
   json["planner"] = facts.planner;
@@ -129,6 +152,7 @@ std::string plan_json(const PlanFacts& facts, const Frame& frame, const Provenan
   for (const auto& e : facts.blocked_edges) json["blocked_edges"].push_back(edge(e, frame));
   json["choices"] = choices_json(facts);
   json["picked_because"] = facts.choices.empty() ? Json(nullptr) : Json(facts.chosen_why);
+  json["violations"] = violations_json(facts, frame);
   json["notes"] = facts.notes;
   return internal::json_text(json);
 }

@@ -7,6 +7,7 @@
 
 #include "coverage/sonar.h"
 #include "coverage/vehicle.h"
+#include "coverage/violations.h"
 #include "io/provenance.h"
 #include "mesh/gates.h"
 #include "planners/pareto.h"
@@ -29,6 +30,15 @@ struct PlanGate {
   Angle slope;
 };
 
+/// A stretch that must not be sailed as it is drawn.
+struct PlanViolation {
+  Violation violation;
+  std::string leg;  ///< kind of the leg that it begins in
+  std::string reason;
+};
+[[nodiscard]] std::vector<PlanViolation> plan_violations(const Route& route, const Vehicle& vehicle,
+                                                         const Area& water);
+
 /// What a planner decided before it laid its path.
 struct PlanFacts {
   std::string planner;
@@ -41,6 +51,7 @@ struct PlanFacts {
   std::vector<Outcome> choices;  ///< that the planner had, and which it took and why
   std::size_t chosen = 0;
   std::string chosen_why;
+  std::vector<PlanViolation> violations;
   std::vector<std::string> notes;
 };
 

@@ -51,6 +51,13 @@ void add_route(Json& json, const RouteFigures& route) {
     json["duration_by_line_s"][std::to_string(line)] = seconds;
   }
   json["energy_wh"] = route.energy_wh ? Json(*route.energy_wh) : Json(nullptr);
+  json["energy_by_line_wh"] = Json::object();
+  if (route.energy_wh && route.duration_s > 0.0) {
+    for (const auto& [line, seconds] : route.duration_by_line_s) {
+      json["energy_by_line_wh"][std::to_string(line)] =
+          *route.energy_wh * seconds / route.duration_s;
+    }
+  }
   json["beyond_endurance"] = route.beyond_endurance;
   json["infeasible_legs"] = route.infeasible_legs;
   json["infeasible_m"] = route.infeasible_m;

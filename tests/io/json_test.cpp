@@ -56,6 +56,17 @@ TEST(ScoreJson, HoldsEveryFigureUnderItsName) {
   EXPECT_EQ(read["holidays_listed_by_cause_m2"]["edge"], 0.5);
 }
 
+TEST(ScoreJson, SharesTheEnergyOutByLine) {
+  Sample s;
+  s.score.route.duration_s = 100.0;
+  s.score.route.duration_by_line_s = {{1, 30.0}, {2, 60.0}};
+  s.score.route.energy_wh = 50.0;
+  const json read = json::parse(score_json("nuc", s.score, test::provenance()));
+  EXPECT_EQ(read["energy_wh"], 50.0);
+  EXPECT_EQ(read["energy_by_line_wh"]["1"], 15.0);
+  EXPECT_EQ(read["energy_by_line_wh"]["2"], 30.0);
+}
+
 TEST(ScoreJson, TellsWhatMadeItWithoutFolders) {
   const Sample s;
   const std::string text = score_json("nuc", s.score, test::provenance());
@@ -125,6 +136,28 @@ TEST(PlanJson, HoldsRegionsGatesAndBlockedEdgesInFileCoordinates) {
   EXPECT_EQ(read["vehicle"]["draft_m"], 0.3);
   EXPECT_EQ(read["version"], "0.1.0");
   EXPECT_TRUE(read["crs_wkt"].is_null());
+}
+
+TEST(PlanJson, SaysWhatCannotBeSailedWhereAndWhy) {
+  Route route;
+  for (const double x : {0.0, 10.0, 30.0}) {
+    route.waypoints.emplace_back();
+    route.waypoints.back().position = {x, 0.0};
+  }
+  route.waypoints[1].kind = LegKind::transit;
+  route.waypoints[1].feasible = false;
+  route.waypoints.back().kind = LegKind::end;
+  PlanFacts facts;
+  facts.violations =
+      plan_violations(route, {.turn_radius_m = 5.0},
+                      {{.outer = {{-9, -9}, {99, -9}, {99, 9}, {-9, 9}}, .holes = {}}});
+  const Frame frame{.origin = Vec2(1000.0, 2000.0), .metres_per_unit = 1.0, .crs_wkt = ""};
+  const json read = json::parse(plan_json(facts, frame, test::provenance()));
+  ASSERT_EQ(read["violations"].size(), 1U);
+  EXPECT_EQ(read["violations"][0],
+            json::parse(R"({"what": "infeasible", "leg": "transit", "waypoints": [1, 2],
+                            "at_xy": [1020.0, 2000.0], "length_m": 20.0,
+                            "reason": "no forward way with turns of 5 m stays in safe water"})"));
 }
 
 TEST(PlanJson, HoldsTheChoicesThatThePlannerHad) {

@@ -25,6 +25,7 @@ const long = (v) => (v >= 10000 ? number(v / 1000, 1) + ' km' : number(v, v < 10
 const short = (v) => number(v, 2) + ' m';
 const count = (v) => number(v);
 const ratio = (v) => number(v, 2);
+const energy = (v) => (v >= 1000 ? number(v / 1000, 2) + ' kWh' : number(v) + ' Wh');
 const time = (s) => {
   if (s < 60) return number(s, s < 10 ? 2 : 0) + ' s';
   const minutes = Math.round(s / 60);
@@ -264,6 +265,7 @@ const figures = [
   ['Length', 'length_m', long, 'low'],
   ['Length ratio (1 is ideal)', 'length_ratio', ratio, 'low'],
   ['Duration', 'duration_s', time, 'low'],
+  ['Energy, where the power is given', 'energy_wh', energy, 'low'],
   ['Overlap: further soundings a covered cell', 'overlap_soundings_per_cell', ratio, ''],
   ['Cells seen from several legs', 'several_legs_pct', percent, ''],
   ['Gaps', 'holidays', count, ''],
@@ -286,6 +288,7 @@ const figures = [
   const body = figures.map(([label, key, format, best, alarm]) => {
     const values = plans.map((plan) => (key === 'planning_s' ? plan.planning_s : plan.figures[key]));
     const known = values.filter((v) => v !== null && v !== undefined);
+    if (key === 'energy_wh' && known.length === 0) return null;
     const top = best === 'high' ? Math.max(...known) : Math.min(...known);
     const differ = new Set(known.map(format)).size > 1;
     return element('tr', {}, element('th', {scope: 'row'}, label), ...values.map((v) => {
@@ -294,7 +297,7 @@ const figures = [
       return element('td', {class: kind}, format(v));
     }));
   });
-  $('figures').append(element('table', {}, element('thead', {}, head), element('tbody', {}, ...body)));
+  $('figures').append(element('table', {}, element('thead', {}, head), element('tbody', {}, ...body.filter(Boolean))));
 }
 
 // --- settings --------------------------------------------------------------------------------

@@ -186,25 +186,6 @@ Json holidays_json(const Holidays& holidays, const Pen& pen, const Frame& frame)
 
 double rounded(double x) { return std::round(x * 100.0) / 100.0; }
 
-std::string reason(const Violation& v, const Waypoint& at, const Vehicle& vehicle) {
-  switch (v.kind) {
-    case ViolationKind::infeasible:
-      if (at.kind == LegKind::turn || at.kind == LegKind::transit) {
-        return fmt::format("no forward way with turns of {:g} m stays in safe water",
-                           vehicle.turn_radius_m);
-      }
-      return fmt::format(
-          "bends tighter than {:g} m, and no forward way around it stays in safe water",
-          vehicle.turn_radius_m);
-    case ViolationKind::outside_water:
-      return "too shoal, on land, too close to a wall, or inside no-go";
-    case ViolationKind::tight_turn:
-      return fmt::format("a radius of {:.2f} m, where the vehicle needs {:g} m", v.radius_m,
-                         vehicle.turn_radius_m);
-  }
-  return {};
-}
-
 Json violations_json(const Route& route, const ReportSite& site, const Pen& pen) {
   const std::vector<Violation> all = violations(route, site.vehicle, site.water);
   Json list = Json::array();
@@ -221,7 +202,7 @@ Json violations_json(const Route& route, const ReportSite& site, const Pen& pen)
     list.push_back({{"what", name(v.kind)},
                     {"kind", name(at.kind)},
                     {"length_m", v.length_m},
-                    {"reason", reason(v, at, site.vehicle)},
+                    {"reason", reason(v, route, site.vehicle)},
                     {"line", pen.line(line)},
                     {"at", pen.line({v.position})},
                     {"box", pen.box(box)},
