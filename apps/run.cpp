@@ -65,8 +65,14 @@ ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
 PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const SurveyOptions& options,
                              const Scorer& scorer) {
   const auto start = std::chrono::steady_clock::now();
-  Plan plan = planner.plan(site.planning_ground(&scorer.scene()),
-                           plan_options(options, site.seafloor().frame));
+  const PlanOptions how = plan_options(options, site.seafloor().frame);
+  Plan plan = planner.plan(site.planning_ground(&scorer.scene()), how);
+  if (how.start && !contains(site.water, *how.start) && !plan.route.waypoints.empty()) {
+    const Vec2 first = site.seafloor().frame.to_file(plan.route.waypoints.front().position);
+    plan.notes.push_back(
+        fmt::format("--start {} is not in safe water; the route begins at {:.1f},{:.1f}",
+                    options.start, first.x(), first.y()));
+  }
   const double planning = seconds_since(start);
   const auto planned = std::chrono::steady_clock::now();
   ScoredRoute scored = scorer.score(planner.label, plan.route);

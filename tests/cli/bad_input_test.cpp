@@ -86,6 +86,12 @@ TEST(BadSeafloor, NothingToSurvey) {
   expect_refusal(folder, plan("shoal.asc"), 1, {"draft"});
 }
 
+TEST(BadSeafloor, MarginThatLeavesNoWater) {
+  const Folder folder;
+  expect_refusal(folder, plan(dataset("harbour.asc"), "--margin 40"), 1, {"margin"});
+  expect_refusal(folder, plan(dataset("saddle.asc"), "--clearance 45"), 1, {"--clearance"});
+}
+
 TEST(BadSeafloor, DegreesGivenAsMetres) {
   const Folder folder;
   folder.write(

@@ -1,0 +1,104 @@
+// Places and routes where a plan gets hard: each ends in a clear status.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace swathplan {
+namespace {
+
+using nlohmann::json;
+using test::dataset;
+using test::Folder;
+using test::text_of;
+
+json json_of(const std::filesystem::path& file) { return json::parse(text_of(file)); }
+
+/// A grid of 5 m cells from rows of '.' (10 m deep) and '#' (no data).
+std::string grid(const std::vector<std::string>& rows) {
+  std::string text = "ncols " + std::to_string(rows.front().size()) + "\nnrows " +
+                     std::to_string(rows.size()) +
+                     "\nxllcorner 0\nyllcorner 0\ncellsize 5\nNODATA_value -9999\n";
+  for (const std::string& row : rows) {
+    for (const char c : row) text += c == '.' ? "-10 " : "-9999 ";
+    text += "\n";
+  }
+  return text;
+}
+
+/// Every leg that cannot be sailed is marked, counted, and has a reason and a place; and nothing
+/// lies outside the water.
+void expect_told(const Folder& folder, bool any) {
+  const json score = json_of(folder / "out" / "score.json");
+  const json plan = json_of(folder / "out" / "plan.json");
+  EXPECT_LT(score.at("outside_water_m").get<double>(), 0.01);
+  std::size_t told = 0;
+  for (const json& v : plan.at("violations")) {
+    EXPECT_FALSE(v.at("reason").get<std::string>().empty());
+    EXPECT_EQ(v.at("at_xy").size(), 2U);
+    told += v.at("what") == "infeasible" ? 1 : 0;
+  }
+  EXPECT_EQ(told, score.at("infeasible_legs").get<std::size_t>());
+  EXPECT_EQ(told > 0, any);
+  EXPECT_EQ(score.at("infeasible_m").get<double>() > 0.0, any);
+  EXPECT_EQ(text_of(folder / "out" / "route.csv").find("infeasible") != std::string::npos, any);
+}
+
+TEST(HardCase, AChannelNarrowerThanTwiceTheRadius) {
+  const Folder folder;
+  folder.write("channel.asc", grid({"######....", "######....", "..........", "..........",
+                                    "######....", "######...."}));
+  for (const char* planner : {"back-and-forth", "mdnuc"}) {
+    const auto run = folder.run(std::string("plan channel.asc --vehicle small-usv --planner ") +
+                                planner + " -o out");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const json score = json_of(folder / "out" / "score.json");
+    expect_told(folder, score.at("infeasible_legs").get<int>() > 0);
+  }
+}
+
+TEST(HardCase, ABasinThatOnlyAReverseCouldLeave) {
+  const Folder folder;
+  folder.write("basin.asc", grid(std::vector<std::string>(10, "..........")));
+  const auto run =
+      folder.run("plan basin.asc --vehicle launch --planner back-and-forth -o out --margin 1");
+  EXPECT_EQ(run.code, 0) << run.err;
+  expect_told(folder, true);
+}
+
+TEST(HardCase, StartOnLand) {
+  const Folder folder;
+  const auto run = folder.run("plan " + dataset("harbour.asc") +
+                              " --planner back-and-forth --resolution 0.5 --start 5,300 -o out");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("--start"), std::string::npos) << run.err;
+  EXPECT_LT(json_of(folder / "out" / "score.json").at("outside_water_m").get<double>(), 0.01);
+}
+
+TEST(HardCase, ASingleRegionOfASingleFace) {
+  const Folder folder;
+  folder.write("face.obj", "v 0 0 -9\nv 20 0 -9\nv 0 20 -9\nf 1 2 3\n");
+  for (const char* options :
+       {"nuc", "mdnuc", "mdnuc --smooth ipopt", "back-and-forth", "multi-depth"}) {
+    const auto run =
+        folder.run(std::string("plan face.obj --clearance 0.1 -o out --planner ") + options);
+    EXPECT_EQ(run.code, 0) << options << ": " << run.err;
+    EXPECT_LT(json_of(folder / "out" / "score.json").at("outside_water_m").get<double>(), 0.01);
+  }
+}
+
+TEST(HardCase, AClosedLoopAndWaypointsThatCoincide) {
+  const Folder folder;
+  folder.write("loop.csv",
+               "x,y\n-20,-20\n20,-20\n20,-20\n20,20\n-20,20\n-20,20\n-20,20\n-20,-20\n");
+  const auto run =
+      folder.run("score " + dataset("saddle.asc") + " loop.csv --resolution 0.5 -o out");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const json score = json_of(folder / "out" / "score.json");
+  EXPECT_NEAR(score.at("length_m").get<double>(), 160.0, 1e-6);
+  EXPECT_EQ(score.at("turns").get<int>(), 3);
+}
+
+}  // namespace
+}  // namespace swathplan
