@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# Measures the tables of docs/results-steerable.md and prints them as Markdown rows. Run after
+# ./dev build.
+#   bench/steerable.sh steer|noise|usv|smooth [harbour grid]   the grid: with 'steer', at 0.25 m
+set -euo pipefail
+cd "$(dirname "$0")/.."
+program=build/release/bin/swathplan
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+planners="back-and-forth multi-depth nuc mdnuc fitted-lines"
+
+# one PLANNER FILE FORMAT OPTIONS...: plans, and prints FORMAT with the score's figures in it
+one() {
+  local planner=$1 file=$2 format=$3
+  shift 3
+  "$program" plan "$file" --planner "$planner" -o "$out" --hit-only --quiet "$@" >/dev/null 2>&1
+  python3 -c 'import json, sys
+s = json.load(open(sys.argv[1] + "/score.json"))
+p = json.load(open(sys.argv[1] + "/plan.json"))
+s["loops"] = next((n.split()[0] for n in p["notes"] if "by a loop" in n), "0")
+s["hours"] = s["duration_s"] / 3600
+print(" | " + sys.argv[2].format(**s), end="")' "$out" "$format"
+}
+
+row() {  # name, planners, file, format, options...
+  local name=$1 which=$2 file=$3 format=$4 planner
+  shift 4
+  printf '| %s' "$name"
+  for planner in $which; do one "$planner" "$file" "$format" "$@"; done
+  echo " |"
+}
+
+noise_row() {  # name, file, options...
+  local name=$1 file=$2 planner noise
+  shift 2
+  printf '| %s' "$name"
+  for planner in $planners; do
+    one "$planner" "$file" '{coverage_hit_pct:.1f} [{length_ratio:.2f}]' "$@"
+    for noise in calm rough; do
+      "$program" score "$file" "$out/route.csv" --hit-only --noise $noise --json 2>/dev/null |
+        python3 -c 'import json, sys; print(", %.1f" % json.load(sys.stdin)["coverage_hit_pct"], end="")'
+    done
+  done
+  echo " |"
+}
+
+saddle=datasets/saddle.asc
+steer='{outside_water_m:.1f}, {min_turn_radius_m:.2f}, {infeasible_legs}, {tight_turn_m:.1f}, {hours:.2f}'
+figures='{coverage_hit_pct:.1f} [{length_ratio:.2f}]'
+case ${1:-steer} in
+  steer)
+    row saddle "$planners" $saddle "$steer" --depth-bands 4
+    row shaft "$planners" datasets/shaft.obj "$steer"
+    row harbour "$planners" datasets/harbour.asc "$steer"
+    if (($# > 1)); then
+      row "$(basename "$2") 0.25" "$planners" "$2" "$steer" --resolution 0.25 --max-opening 140
+    fi
+    ;;
+  noise)  # the same route sailed without errors, calm and rough
+    noise_row saddle $saddle --depth-bands 4
+    noise_row shaft datasets/shaft.obj
+    noise_row harbour datasets/harbour.asc
+    ;;
+  usv)
+    for vehicle in wam-v small-usv; do
+      usv="$figures, {infeasible_legs}, {loops}, {tight_turn_m:.1f}"
+      row "saddle, $vehicle" "back-and-forth multi-depth nuc mdnuc" $saddle "$usv" --depth-bands 4 --vehicle $vehicle --face-size 1
+      row "shaft, $vehicle" "back-and-forth multi-depth nuc mdnuc" datasets/shaft.obj "$usv" --vehicle $vehicle --face-size 1
+    done
+    ;;
+  smooth)
+    for smooth in none ipopt; do
+      format="$figures, {self_crossings}, {min_turn_radius_m:.2f}, {tight_turn_m:.1f}, {infeasible_legs}"
+      row "saddle, $smooth" "nuc mdnuc" $saddle "$format" --depth-bands 4 --smooth $smooth
+      row "shaft, $smooth" "nuc mdnuc" datasets/shaft.obj "$format" --smooth $smooth
+      row "harbour, $smooth" "nuc mdnuc" datasets/harbour.asc "$format" --smooth $smooth
+    done
+    ;;
+esac
