@@ -274,13 +274,13 @@ Connection Connector::join(const std::vector<Vec2>& before, const std::vector<Ve
 std::vector<Vec2> Connector::curve(const Pose& from, const Pose& to) const {
   const auto path = dubins_in_water(from, to, impl_->search);
   if (!path) return {};
-  // Chords nearest to the step, not the next shorter ones: where they meet those of a line's own
-  // curve, which are of about the step, chords of another length bend tighter than both curves.
-  const double step = curve_step_m(impl_->search.radius_m);
+  // Chords nearest to the angle of those of a line's own curves: where the two meet, chords of
+  // another angle bend tighter than both curves.
+  const double step = Angle::degrees(kCurveStepDeg).rad() * impl_->search.radius_m;
   const double parts = std::max(1.0, std::round(path->length_m() / step));
   constexpr double kDown = 1.0 + 1e-9;  // so that rounding makes no further part
   std::vector<Vec2> even = path->points(kDown * path->length_m() / parts);
-  return in_water(even) ? even : path->points(step);
+  return in_water(even) ? even : path->points(curve_step_m(impl_->search.radius_m));
 }
 
 bool Connector::in_water(const std::vector<Vec2>& points) const { return impl_->in_water(points); }
