@@ -62,9 +62,9 @@ double points_per_ratio(const std::vector<Candidate>& tried) {
   std::vector<double> missed;
   missed.reserve(tried.size());
   for (const Candidate& c : tried) missed.push_back(100.0 - c.hit_pct);
-  const auto middle = missed.begin() + static_cast<std::ptrdiff_t>(missed.size() / 2);
-  std::nth_element(missed.begin(), middle, missed.end());
-  return kMissedPerRatio * *middle;
+  const auto good = missed.begin() + static_cast<std::ptrdiff_t>(missed.size() / 4);
+  std::nth_element(missed.begin(), good, missed.end());
+  return kMissedPerRatio * *good;
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ namespace swathplan {
                                   const std::function<Plan(PlanarMesh)>& plan_on);
 
 inline constexpr std::size_t kFewFaces = 100;
-/// Share of what the middle candidate misses that one more ideal length must bring, so that dense
-/// pings, which miss less, are worth finer faces too.
-inline constexpr double kMissedPerRatio = 0.63;
+/// Share of what a good candidate (lower quartile) misses that one more ideal length must bring: a
+/// share, so that dense pings, which miss less, are worth finer faces too.
+inline constexpr double kMissedPerRatio = 0.68;
 
 }  // namespace swathplan
