@@ -25,8 +25,11 @@ struct AreaQuery::Impl {
   Box2 box;
   double cell = 1.0;
   std::int64_t columns = 0, rows = 0;
-  std::vector<std::uint32_t> start, items;          // edges per bucket
-  std::vector<std::uint32_t> row_start, row_items;  // edges per row, for the crossing count
+  std::vector<std::uint32_t> start, items;  // edges per bucket
+  // Edges per strip, for the crossing count: strips are lower than buckets, so that few edges that
+  // lie beside a point's height are looked at.
+  static constexpr std::int64_t kStripsPerRow = 16;
+  std::vector<std::uint32_t> strip_start, strip_items;
 
   [[nodiscard]] std::int64_t column(double x) const {
     return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor((x - box.min.x()) / cell)),
@@ -35,6 +38,12 @@ struct AreaQuery::Impl {
   [[nodiscard]] std::int64_t row(double y) const {
     return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor((y - box.min.y()) / cell)),
                                     0, rows - 1);
+  }
+
+  [[nodiscard]] std::int64_t strip(double y) const {
+    return std::clamp<std::int64_t>(
+        static_cast<std::int64_t>(std::floor((y - box.min.y()) / cell * kStripsPerRow)), 0,
+        rows * kStripsPerRow - 1);
   }
 
   void add_ring(const Ring& ring) {
@@ -46,7 +55,9 @@ struct AreaQuery::Impl {
 
   void fill();
   [[nodiscard]] bool inside(const Vec2& p) const;
-  [[nodiscard]] std::pair<double, Vec2> nearest(const Vec2& p) const;
+  /// Distance and point; `within` and p where the outline is not nearer than that.
+  [[nodiscard]] std::pair<double, Vec2> nearest(
+      const Vec2& p, double within = std::numeric_limits<double>::infinity()) const;
 };
 
 void AreaQuery::Impl::fill() {
@@ -77,15 +88,16 @@ void AreaQuery::Impl::fill() {
       }
     }
   });
-  fill_index(row_start, row_items, static_cast<std::size_t>(rows), [&](auto&& put) {
-    for (std::uint32_t i = 0; i < edges.size(); ++i) {
-      const Edge& e = edges[i];
-      for (std::int64_t r = row(std::min(e.a.y(), e.b.y())); r <= row(std::max(e.a.y(), e.b.y()));
-           ++r) {
-        put(static_cast<std::size_t>(r), i);
-      }
-    }
-  });
+  fill_index(strip_start, strip_items, static_cast<std::size_t>(rows * kStripsPerRow),
+             [&](auto&& put) {
+               for (std::uint32_t i = 0; i < edges.size(); ++i) {
+                 const Edge& e = edges[i];
+                 const std::int64_t last = strip(std::max(e.a.y(), e.b.y()));
+                 for (std::int64_t k = strip(std::min(e.a.y(), e.b.y())); k <= last; ++k) {
+                   put(static_cast<std::size_t>(k), i);
+                 }
+               }
+             });
 }
 
 bool AreaQuery::Impl::inside(const Vec2& p) const {
@@ -94,18 +106,19 @@ bool AreaQuery::Impl::inside(const Vec2& p) const {
     return false;
   }
   bool in = false;
-  const auto r = static_cast<std::size_t>(row(p.y()));
-  for (std::uint32_t k = row_start[r]; k < row_start[r + 1]; ++k) {
-    const Edge& e = edges[row_items[k]];
+  const auto s = static_cast<std::size_t>(strip(p.y()));
+  for (std::uint32_t k = strip_start[s]; k < strip_start[s + 1]; ++k) {
+    const Edge& e = edges[strip_items[k]];
     if ((e.a.y() > p.y()) == (e.b.y() > p.y())) continue;
+    if (e.a.x() <= p.x() && e.b.x() <= p.x()) continue;
     const double x = e.a.x() + (p.y() - e.a.y()) / (e.b.y() - e.a.y()) * (e.b.x() - e.a.x());
     if (x > p.x()) in = !in;
   }
   return in;
 }
 
-std::pair<double, Vec2> AreaQuery::Impl::nearest(const Vec2& p) const {
-  double best = std::numeric_limits<double>::infinity();
+std::pair<double, Vec2> AreaQuery::Impl::nearest(const Vec2& p, double within) const {
+  double best = within;
   Vec2 point = p;
   if (edges.empty()) return {best, point};
   const std::int64_t c0 = column(p.x());
@@ -154,7 +167,7 @@ AreaQuery::AreaQuery(AreaQuery&&) noexcept = default;
 AreaQuery& AreaQuery::operator=(AreaQuery&&) noexcept = default;
 
 bool AreaQuery::contains(const Vec2& p) const {
-  return impl_->inside(p) || distance(p) <= kOnOutline;
+  return impl_->inside(p) || impl_->nearest(p, 2.0 * kOnOutline).first <= kOnOutline;
 }
 
 double AreaQuery::distance(const Vec2& p) const { return impl_->nearest(p).first; }
