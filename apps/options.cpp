@@ -180,6 +180,10 @@ void add_scoring_options(CLI::App& command, SurveyOptions& o) {
   command.add_option("--transit-speed", o.transit_speed_mps, "Speed between areas, m/s")
       ->group(group);
   command.add_option("--endurance", o.endurance_h, "Longest time under way, hours")->group(group);
+  command
+      .add_option("--contingency", o.contingency_pct,
+                  "Allowance for what goes wrong, per cent of the duration (default: 10)")
+      ->group(group);
   command.add_option("--power", o.power_w, "Mean power under way, watts")->group(group);
   command.add_option("--nodata", o.nodata, "What beams meet beyond the data: wall or open")
       ->check(CLI::IsMember({"wall", "open"}))
@@ -345,6 +349,7 @@ Vehicle vehicle_of(const SurveyOptions& o) {
   set_if(vehicle.turn_speed_mps, o.turn_speed_mps);
   set_if(vehicle.transit_speed_mps, o.transit_speed_mps);
   set_if(vehicle.endurance_h, o.endurance_h);
+  if (o.contingency_pct) vehicle.contingency = *o.contingency_pct / 100.0;
   if (o.power_w) vehicle.power_w = o.power_w;
   require(vehicle.draft_m >= 0.0, "--draft", vehicle.draft_m, "must be 0 metres or more");
   require(vehicle.under_keel_margin_m >= 0.0, "--margin", vehicle.under_keel_margin_m,
@@ -360,6 +365,10 @@ Vehicle vehicle_of(const SurveyOptions& o) {
   require(vehicle.transit_speed_mps > 0.0, "--transit-speed", vehicle.transit_speed_mps,
           "must be above 0 m/s");
   require(vehicle.endurance_h > 0.0, "--endurance", vehicle.endurance_h, "must be above 0 hours");
+  if (o.contingency_pct) {
+    require(*o.contingency_pct >= 0.0, "--contingency", *o.contingency_pct,
+            "must be 0 per cent or more");
+  }
   if (o.power_w) require(*o.power_w > 0.0, "--power", *o.power_w, "must be above 0 watts");
   return vehicle;
 }
@@ -478,6 +487,7 @@ Provenance provenance_of(const std::string& command, const SiteOptions& site,
   add("turn_speed_mps", vehicle.turn_speed_mps);
   add("transit_speed_mps", vehicle.transit_speed_mps);
   add("endurance_h", vehicle.endurance_h);
+  add("contingency_pct", o.contingency_pct.value_or(100.0 * vehicle.contingency));
   if (vehicle.power_w) add("power_w", *vehicle.power_w);
   add("nodata", o.nodata);
   add("lateral_sigma_m", score.noise.lateral_sigma_m);

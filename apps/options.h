@@ -36,7 +36,7 @@ struct SurveyOptions {
   std::string vehicle = "wam-v";
   std::optional<double> draft_m, margin_m, squat_m, clearance_m;
   std::optional<double> speed_mps, turn_speed_mps, transit_speed_mps, turn_radius_m;
-  std::optional<double> endurance_h, power_w;
+  std::optional<double> endurance_h, contingency_pct, power_w;
   double run_in_m = 0.0, run_out_m = 0.0;
   std::string smooth = "none";
   std::string depth_bands = "2";

@@ -62,6 +62,12 @@ ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
   return swathplan::score(route, ground_, sonar_of(*options_), vehicle_of(*options_), options);
 }
 
+void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
+                    std::vector<std::string>& notes) {
+  std::string note = endurance_note(figures, vehicle);
+  if (!note.empty()) notes.push_back(std::move(note));
+}
+
 PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const SurveyOptions& options,
                              const Scorer& scorer) {
   const auto start = std::chrono::steady_clock::now();
@@ -76,6 +82,7 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
   const double planning = seconds_since(start);
   const auto planned = std::chrono::steady_clock::now();
   ScoredRoute scored = scorer.score(planner.label, plan.route);
+  note_endurance(scored.score.route, how.vehicle, plan.notes);
   return {planner.name,      planner.label, std::move(plan),
           std::move(scored), planning,      seconds_since(planned)};
 }

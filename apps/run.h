@@ -42,6 +42,10 @@ class Scorer {
   bool quiet_;
 };
 
+/// Adds a note if the mission does not fit into the vehicle's endurance.
+void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
+                    std::vector<std::string>& notes);
+
 [[nodiscard]] PlannedSurvey plan_and_score(const Planner& planner, const Site& site,
                                            const SurveyOptions& options, const Scorer& scorer);
 

@@ -63,19 +63,21 @@ Plan with_passes(const Plan& plan, const ScoreCommand& command, const Site& site
 
 void run(const ScoreCommand& command) {
   static_cast<void>(score_options(command.survey));
-  const auto site = load_site(command.site, vehicle_of(command.survey));
+  const Vehicle vehicle = vehicle_of(command.survey);
+  const auto site = load_site(command.site, vehicle);
   print_notes(*site, command.output.quiet);
   const Provenance provenance =
       provenance_of("score", command.site, command.survey, site->imported.input_hash);
-  const ImportedRoute route = read_route(
-      command.route, site->seafloor().frame,
-      {.fan = default_fan(command, *site), .speed_mps = vehicle_of(command.survey).speed_mps});
+  const ImportedRoute route =
+      read_route(command.route, site->seafloor().frame,
+                 {.fan = default_fan(command, *site), .speed_mps = vehicle.speed_mps});
   check_meets_data(route.route, *site, command.route);
   Plan plan;
   plan.route = route.route;
   plan.notes = route.notes;
   const Scorer scorer(*site, command.survey, command.output.quiet);
   ScoredRoute scored = scorer.score("score", plan.route);
+  note_endurance(scored.score.route, vehicle, plan.notes);
   std::vector<PlannedSurvey> surveys;
   const std::string name = command.route.filename().string();
   std::optional<Plan> filled;
@@ -84,6 +86,7 @@ void run(const ScoreCommand& command) {
   const std::filesystem::path& folder = command.output.folder;
   if (filled) {
     ScoredRoute again = scorer.score("infill", filled->route);
+    note_endurance(again.score.route, vehicle, filled->notes);
     surveys.push_back(
         {"infill", name + " + infill", std::move(*filled), std::move(again), 0.0, 0.0});
     write_survey(folder / "infill", surveys[1], *site, command.survey, provenance);
@@ -92,7 +95,7 @@ void run(const ScoreCommand& command) {
   write_survey_report(folder / "report.html",
                       fmt::format("{}: {}", command.site.file.filename().string(), name), surveys,
                       *site, command.survey, provenance);
-  for (const std::string& note : route.notes) {
+  for (const std::string& note : surveys[0].plan.notes) {
     if (!command.output.quiet) fmt::print(stderr, "note: {}\n", note);
   }
   if (command.output.json) {

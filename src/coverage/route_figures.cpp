@@ -1,5 +1,7 @@
 #include "coverage/route_figures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -135,7 +137,9 @@ RouteFigures route_figures(const Route& route, const Vehicle& vehicle, const Are
   for (const Leg& leg : legs(route))
     figures.infeasible_legs += !route.waypoints[leg.first].feasible;
   if (vehicle.power_w) figures.energy_wh = *vehicle.power_w * figures.duration_s / 3600.0;
-  figures.beyond_endurance = figures.duration_s > 3600.0 * vehicle.endurance_h;
+  figures.contingency_s = vehicle.contingency * figures.duration_s;
+  figures.beyond_endurance =
+      figures.duration_s + figures.contingency_s > 3600.0 * vehicle.endurance_h;
   if (survey_area_m2 > 0 && footprint_width_m > 0) {
     figures.length_ratio = figures.length_m / (survey_area_m2 / footprint_width_m);
   }
@@ -148,6 +152,15 @@ RouteFigures route_figures(const Route& route, const Vehicle& vehicle, const Are
   figures.outside_water_m = outside_m(points, water);
   figures.min_under_keel_m = least_depth(points, depths) - vehicle.draft_m;
   return figures;
+}
+
+std::string endurance_note(const RouteFigures& figures, const Vehicle& vehicle) {
+  if (!figures.beyond_endurance) return {};
+  const double hours = (figures.duration_s + figures.contingency_s) / 3600.0;
+  return fmt::format(
+      "the mission takes {:.2f} h with a contingency of {:g} %, {:.2f} h more than the vehicle's "
+      "endurance of {:g} h: it must be split",
+      hours, 100.0 * vehicle.contingency, hours - vehicle.endurance_h, vehicle.endurance_h);
 }
 
 }  // namespace swathplan

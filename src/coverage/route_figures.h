@@ -33,8 +33,9 @@ struct RouteFigures {
   double duration_s = 0.0;        ///< length over each leg's speed
   std::map<std::string, double> duration_by_kind_s;
   std::map<int, double> duration_by_line_s;  ///< line number -> seconds
+  double contingency_s = 0.0;                ///< allowance: the vehicle's share of the duration
   std::optional<double> energy_wh;  ///< of the duration, where the vehicle's power is known
-  bool beyond_endurance = false;    ///< longer under way than the vehicle's endurance
+  bool beyond_endurance = false;    ///< duration and contingency exceed the vehicle's endurance
   double tight_turn_m = 0.0;        ///< path that bends tighter than the vehicle's turn radius
   std::size_t infeasible_legs = 0;  ///< legs that the planner marked
   double infeasible_m = 0.0;
@@ -55,5 +56,9 @@ inline constexpr double kDepthStepM = 1.0;
 [[nodiscard]] RouteFigures route_figures(const Route& route, const Vehicle& vehicle,
                                          const Area& water, const DepthQuery& depths,
                                          double survey_area_m2, double footprint_width_m);
+
+/// What to say of a mission that does not fit into the vehicle's endurance, contingency included:
+/// one sentence without a full stop; empty if it fits.
+[[nodiscard]] std::string endurance_note(const RouteFigures& figures, const Vehicle& vehicle);
 
 }  // namespace swathplan

@@ -19,6 +19,7 @@ struct Vehicle {
   double squat_m = 0.0;              ///< deeper by this under way
   double clearance_m = 0.0;          ///< kept from walls, shoals and no-go areas
   double endurance_h = 8.0;          ///< longest time under way
+  double contingency = 0.1;          ///< allowance for what goes wrong, share of the duration, >= 0
   std::optional<double> power_w = std::nullopt;  ///< mean draw under way; empty: not known
 };
 

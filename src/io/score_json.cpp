@@ -50,6 +50,8 @@ void add_route(Json& json, const RouteFigures& route) {
   for (const auto& [line, seconds] : route.duration_by_line_s) {
     json["duration_by_line_s"][std::to_string(line)] = seconds;
   }
+  json["contingency_s"] = route.contingency_s;
+  json["duration_with_contingency_s"] = route.duration_s + route.contingency_s;
   json["energy_wh"] = route.energy_wh ? Json(*route.energy_wh) : Json(nullptr);
   json["energy_by_line_wh"] = Json::object();
   if (route.energy_wh && route.duration_s > 0.0) {

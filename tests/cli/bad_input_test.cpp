@@ -132,6 +132,8 @@ TEST(BadOptions, NameOptionValueAndRule) {
   expect_refusal(folder, plan(file, "--ping-spacing 0"), 2, {"--ping-spacing"});
   expect_refusal(folder, plan(file, "--sonar sonic-screwdriver"), 2, {"--sonar", "norbit-iwbms"});
   expect_refusal(folder, plan(file, "--vehicle raft"), 2, {"--vehicle", "wam-v"});
+  expect_refusal(folder, plan(file, "--contingency -1"), 2, {"--contingency", "-1"});
+  expect_refusal(folder, plan(file, "--contingency nan"), 2, {"--contingency", "nan"});
   expect_refusal(folder, plan(file, "--start here"), 2, {"--start"});
   expect_refusal(folder, "plan " + file + " --planner magic -o out", 2, {"magic", "mdnuc"});
   EXPECT_EQ(folder.run(plan(file, "--faces hexagon")).code, 2);

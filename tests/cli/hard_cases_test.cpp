@@ -100,5 +100,33 @@ TEST(HardCase, AClosedLoopAndWaypointsThatCoincide) {
   EXPECT_EQ(score.at("turns").get<int>(), 3);
 }
 
+TEST(HardCase, AMissionLongerThanTheEnduranceWithItsContingency) {
+  const Folder folder;
+  const auto score_with = [&](const std::string& options) {
+    const auto run = folder.run("score " + dataset("saddle.asc") +
+                                " line.csv --resolution 0.5 --speed 2 -o out " + options);
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.err.find("endurance") != std::string::npos,
+              json_of(folder / "out" / "score.json").at("beyond_endurance").get<bool>())
+        << run.err;
+    return json_of(folder / "out" / "score.json");
+  };
+  folder.write("line.csv", "x,y\n-20,-20\n20,-20\n");  // 20 s
+  const json usual = score_with("");
+  EXPECT_DOUBLE_EQ(usual.at("contingency_s").get<double>(), 2.0);
+  EXPECT_DOUBLE_EQ(usual.at("duration_with_contingency_s").get<double>(), 22.0);
+  EXPECT_DOUBLE_EQ(usual.at("options").at("contingency_pct").get<double>(), 10.0);
+  EXPECT_FALSE(usual.at("beyond_endurance").get<bool>());
+  const json none = score_with("--contingency 0 --endurance 0.006");  // 21.6 s
+  EXPECT_DOUBLE_EQ(none.at("contingency_s").get<double>(), 0.0);
+  EXPECT_FALSE(none.at("beyond_endurance").get<bool>());
+  const json tenth = score_with("--endurance 0.006");
+  EXPECT_TRUE(tenth.at("beyond_endurance").get<bool>());
+  const std::string plan = text_of(folder / "out" / "plan.json");
+  EXPECT_NE(plan.find("endurance of 0.006 h"), std::string::npos) << plan;
+  EXPECT_NE(text_of(folder / "out" / "report.html").find("endurance of 0.006 h"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace swathplan

@@ -51,6 +51,27 @@ TEST(RouteFigures, LengthTimeAndKinds) {
   EXPECT_EQ(f.outside_water_m, 0.0);
 }
 
+TEST(RouteFigures, ContingencyCountsAgainstTheEndurance) {
+  const Route route = route_through({{10, 10}, {90, 10}}, kFan);
+  const Flat f;
+  Vehicle vehicle;
+  const auto of = [&](double contingency, double endurance_s) {
+    vehicle.contingency = contingency;
+    vehicle.endurance_h = endurance_s / 3600.0;
+    return route_figures(route, vehicle, rectangle(0, 0, 100, 100), f.depths, 1000.0, 10.0);
+  };
+  const double seconds = of(0.0, 1000.0).duration_s;
+  EXPECT_EQ(of(0.0, 1000.0).contingency_s, 0.0);
+  EXPECT_DOUBLE_EQ(of(0.25, 1000.0).contingency_s, 0.25 * seconds);
+  EXPECT_EQ(of(0.25, 1000.0).duration_s, seconds);
+  EXPECT_FALSE(of(0.0, 1.2 * seconds).beyond_endurance);
+  EXPECT_EQ(endurance_note(of(0.0, 1.2 * seconds), vehicle), "");
+  EXPECT_TRUE(of(0.25, 1.2 * seconds).beyond_endurance);
+  const std::string note = endurance_note(of(0.25, 1.2 * seconds), vehicle);
+  EXPECT_NE(note.find("25 %"), std::string::npos) << note;
+  EXPECT_NE(note.find("endurance"), std::string::npos) << note;
+}
+
 TEST(RouteFigures, ACurveOfManyBendsCountsOnceAndHasItsRadius) {
   const RouteFigures f = figures(route_through(arc({50, 50}, 20, 0, 90, 60), kFan));
   EXPECT_EQ(f.turns, 1U);

@@ -60,8 +60,11 @@ TEST(ScoreJson, SharesTheEnergyOutByLine) {
   Sample s;
   s.score.route.duration_s = 100.0;
   s.score.route.duration_by_line_s = {{1, 30.0}, {2, 60.0}};
+  s.score.route.contingency_s = 15.0;
   s.score.route.energy_wh = 50.0;
   const json read = json::parse(score_json("nuc", s.score, test::provenance()));
+  EXPECT_EQ(read["contingency_s"], 15.0);
+  EXPECT_EQ(read["duration_with_contingency_s"], 115.0);
   EXPECT_EQ(read["energy_wh"], 50.0);
   EXPECT_EQ(read["energy_by_line_wh"]["1"], 15.0);
   EXPECT_EQ(read["energy_by_line_wh"]["2"], 30.0);

@@ -265,6 +265,7 @@ const figures = [
   ['Length', 'length_m', long, 'low'],
   ['Length ratio (1 is ideal)', 'length_ratio', ratio, 'low'],
   ['Duration', 'duration_s', time, 'low'],
+  ['Duration with contingency', 'duration_with_contingency_s', time, 'low'],
   ['Energy, where the power is given', 'energy_wh', energy, 'low'],
   ['Overlap: further soundings a covered cell', 'overlap_soundings_per_cell', ratio, ''],
   ['Cells seen from several legs', 'several_legs_pct', percent, ''],
