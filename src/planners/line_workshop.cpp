@@ -96,8 +96,8 @@ BuiltRoute LineWorkshop::join(const std::vector<std::vector<Waypoint>>& lines) c
   RouteBuilder builder(ground_, options_);
   for (const auto& line : lines) builder.add_line(line);
   BuiltRoute built;
-  built.notes = builder.notes();
   built.route = builder.finish();
+  built.notes = builder.notes();
   return built;
 }
 

@@ -359,9 +359,10 @@ Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
     left.erase(pick);
     ++line;
   }
+  Route route = builder.finish();
   for (const std::string& note : builder.notes()) notes.push_back(note);
   if (options.smooth) notes.push_back(verdict_note(verdict));
-  return builder.finish();
+  return route;
 }
 
 Plan plan_nuc(const PlanningGround& ground, const PlanOptions& options) {

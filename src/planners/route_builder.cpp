@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planners/even_bends.h"
 #include "planners/line_poses.h"
 #include "planners/steer.h"
 
@@ -198,6 +199,7 @@ Route RouteBuilder::finish() {
     last.log = false;
     last.line.reset();
   }
+  left_tight_ += even_bends(route_, vehicle_.turn_radius_m, connector_);
   return std::move(route_);
 }
 
