@@ -274,7 +274,7 @@ void add_planning_options(CLI::App& command, SurveyOptions& o) {
       ->group(group);
   auto* coverage =
       command.add_option("--coverage", o.goal_coverage_pct,
-                         "fitted-lines: the shortest plan with this hit coverage, per cent");
+                         "fitted-lines: the shortest plan with this coverage, per cent");
   auto* length = command.add_option("--length", o.goal_length_m,
                                     "fitted-lines: the most coverage within so many metres");
   auto* time = command.add_option("--time", o.goal_time_h,
@@ -282,6 +282,13 @@ void add_planning_options(CLI::App& command, SurveyOptions& o) {
   coverage->group(group)->excludes(length)->excludes(time);
   length->group(group)->excludes(time);
   time->group(group);
+  command
+      .add_option("--cover", o.cover,
+                  "fitted-lines, edge-following: lines are laid for and judged by cells that a "
+                  "sounding hits, or by cells in a beam's footprint (wider swaths, fewer lines)")
+      ->check(CLI::IsMember({"hit", "footprint"}))
+      ->capture_default_str()
+      ->group(group);
   command
       .add_option(
           "--line-margin", o.line_margin_pct,
@@ -411,6 +418,12 @@ PlanOptions plan_options(const SurveyOptions& o, const Frame& frame) {
   result.goal.coverage_pct = o.goal_coverage_pct;
   result.goal.length_m = o.goal_length_m;
   if (o.goal_time_h) result.goal.time_s = 3600.0 * *o.goal_time_h;
+  if (o.cover == "footprint" && o.hit_only) {
+    throw UsageError(
+        "--cover footprint with --hit-only; plans are judged by the footprint score, leave "
+        "--hit-only out");
+  }
+  result.cover = o.cover == "footprint" ? Cover::footprint : Cover::hit;
   require(o.line_margin_pct >= 0.0 && o.line_margin_pct < 90.0, "--line-margin", o.line_margin_pct,
           "must be at least 0 and under 90 per cent");
   result.lines_margin = o.line_margin_pct / 100.0;
@@ -510,6 +523,7 @@ Provenance provenance_of(const std::string& command, const SiteOptions& site,
     if (o.goal_coverage_pct) add("goal_coverage_pct", *o.goal_coverage_pct);
     if (o.goal_length_m) add("goal_length_m", *o.goal_length_m);
     if (o.goal_time_h) add("goal_time_h", *o.goal_time_h);
+    add("cover", o.cover);
     add("line_margin_pct", o.line_margin_pct);
   }
   return p;

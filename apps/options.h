@@ -48,6 +48,7 @@ struct SurveyOptions {
   std::optional<double> heading_deg;
   std::string lines = "auto";
   std::optional<double> goal_coverage_pct, goal_length_m, goal_time_h;
+  std::string cover = "hit";
   double line_margin_pct = 0.0;
   std::string nodata = "wall";
   std::string noise = "none";

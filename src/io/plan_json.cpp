@@ -1,5 +1,7 @@
 #include "io/plan_json.h"
 
+#include <fmt/format.h>
+
 #include "io/atomic_file.h"
 #include "io/provenance_internal.h"
 
@@ -55,7 +57,7 @@ Json choices_json(const PlanFacts& facts) {
   Json list = Json::array();
   for (std::size_t i = 0; i < facts.choices.size(); ++i) {
     const Outcome& o = facts.choices[i];
-    list.push_back({{"coverage_hit_pct", o.hit_pct},
+    list.push_back({{fmt::format("coverage_{}_pct", name(o.cover)), o.cover_pct},
                     {"length_ratio", o.length_ratio},
                     {"length_m", o.length_m},
                     {"turns", o.turns},

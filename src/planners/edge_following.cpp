@@ -145,7 +145,7 @@ Plan plan_edge_following(const PlanningGround& ground, const PlanOptions& option
     }
     constexpr int kCoarse = 2;
     const Outcome outcome = shop.estimate(lines, width, kAngles, kCoarse, {});
-    const double worth = outcome.hit_pct - kWorthPerRatio * outcome.length_ratio;
+    const double worth = outcome.cover_pct - kWorthPerRatio * outcome.length_ratio;
     if (best.empty() || worth > best_worth) {
       best = std::move(lines);
       best_worth = worth;

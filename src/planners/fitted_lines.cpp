@@ -65,7 +65,7 @@ SearchBudget budget_for(const LineWorkshop& shop) {
   return budget;
 }
 
-double worth(const Outcome& o) { return o.hit_pct - kWorthPerRatio * o.length_ratio; }
+double worth(const Outcome& o) { return o.cover_pct - kWorthPerRatio * o.length_ratio; }
 
 std::vector<std::size_t> front_of(const std::vector<Finished>& plans) {
   std::vector<Outcome> outcomes;

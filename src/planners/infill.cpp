@@ -187,7 +187,7 @@ InfilledRoute infilled(const Route& route, const PlanningGround& ground, const P
   result.built.route = route;
   for (int round = 0; round < rounds; ++round) {
     const ScoredRoute scored = shop.score(result.built.route);
-    if (scored.score.all.hit_pct >= enough_pct) break;
+    if (shop.cover_pct(scored.score) >= enough_pct) break;
     InfilledRoute more = with_infill(result.built.route, scored.grid, shop);
     if (more.passes == 0) break;
     more.passes += result.passes;

@@ -24,7 +24,7 @@ std::vector<std::pair<Vec2, double>> gather(const CoverageGrid& grid, const Line
   for (std::uint32_t r = 0; r < grid.rows(); ++r) {
     for (std::uint32_t c = 0; c < grid.columns(); ++c) {
       const std::size_t i = static_cast<std::size_t>(r) * grid.columns() + c;
-      if (!grid.counts(i) || grid.soundings(i) > 0) continue;
+      if (!grid.counts(i) || shop.covered(grid, i)) continue;
       const auto at = raster.cell_at(grid.centre(c, r));
       if (at) empty[*at] += static_cast<float>(cell);
     }

@@ -108,11 +108,22 @@ ScoredRoute LineWorkshop::score(const Route& route, int coarse) const {
   how.resolution_m = coarse * options_.resolution_m;
   how.ping_spacing_m = coarse * options_.ping_spacing_m;
   how.holiday_m2 = 1e9;
-  how.footprint = false;
+  how.footprint = options_.cover == Cover::footprint;
   how.threads = options_.threads;
   Sonar sonar = options_.sonar;
   sonar.beams = std::max(2, sonar.beams / coarse);
+  sonar.beam_width_along = Angle::radians(coarse * sonar.beam_width_along.rad());
+  sonar.beam_width_across = Angle::radians(coarse * sonar.beam_width_across.rad());
   return swathplan::score(route, scoring, sonar, options_.vehicle, how);
+}
+
+double LineWorkshop::cover_pct(const Score& score) const {
+  return options_.cover == Cover::footprint ? score.all.footprint_pct.value_or(0.0)
+                                            : score.all.hit_pct;
+}
+
+bool LineWorkshop::covered(const CoverageGrid& grid, std::size_t i) const {
+  return options_.cover == Cover::footprint ? grid.footprint(i) : grid.soundings(i) > 0;
 }
 
 Outcome LineWorkshop::judge(const Route& route, int coarse, std::string what) const {
@@ -120,7 +131,8 @@ Outcome LineWorkshop::judge(const Route& route, int coarse, std::string what) co
   Outcome outcome;
   outcome.length_m = score.route.length_m;
   outcome.length_ratio = score.route.length_m * footprint_width_m(options_) / score.survey_area_m2;
-  outcome.hit_pct = score.all.hit_pct;
+  outcome.cover = options_.cover;
+  outcome.cover_pct = cover_pct(score);
   outcome.turns = score.route.turns;
   outcome.duration_s = score.route.duration_s;
   outcome.what = std::move(what);

@@ -47,9 +47,14 @@ class LineWorkshop {
   /// Opened lines joined in the order given.
   [[nodiscard]] BuiltRoute join(const std::vector<std::vector<Waypoint>>& lines) const;
 
-  /// Scores a route on the simulator. `coarse` > 1 makes cells, pings and beams that much coarser:
-  /// about the same share of cells at that much less work, squared.
+  /// Scores a route on the simulator. `coarse` > 1 makes cells, pings and beams that much coarser
+  /// and the beams' footprints that much wider: about the same share of cells at that much less
+  /// work, squared.
   [[nodiscard]] ScoredRoute score(const Route& route, int coarse = 1) const;
+  /// The share of cells that is covered, as the options count them, %.
+  [[nodiscard]] double cover_pct(const Score& score) const;
+  /// Whether cell i of a scored grid is.
+  [[nodiscard]] bool covered(const CoverageGrid& grid, std::size_t i) const;
   [[nodiscard]] Outcome judge(const Route& route, int coarse, std::string what) const;
 
   static constexpr double kLineClearance = 0.05;

@@ -25,7 +25,7 @@ std::size_t best_of(const std::vector<Outcome>& outcomes,
 }
 
 bool any(const Outcome& outcome) { return outcome.length_ratio >= 0.0; }
-double coverage(const Outcome& outcome) { return outcome.hit_pct; }
+double coverage(const Outcome& outcome) { return outcome.cover_pct; }
 double shortness(const Outcome& outcome) { return -outcome.length_ratio; }
 
 Pick within(const std::vector<Outcome>& outcomes, const std::string& limit,
@@ -38,6 +38,8 @@ Pick within(const std::vector<Outcome>& outcomes, const std::string& limit,
 
 }  // namespace
 
+const char* name(Cover cover) { return cover == Cover::footprint ? "footprint" : "hit"; }
+
 std::vector<std::size_t> pareto_front(const std::vector<Outcome>& outcomes) {
   std::vector<std::size_t> order(outcomes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -45,11 +47,12 @@ std::vector<std::size_t> pareto_front(const std::vector<Outcome>& outcomes) {
     if (outcomes[a].length_ratio != outcomes[b].length_ratio) {
       return outcomes[a].length_ratio < outcomes[b].length_ratio;
     }
-    return outcomes[a].hit_pct > outcomes[b].hit_pct;
+    return outcomes[a].cover_pct > outcomes[b].cover_pct;
   });
   std::vector<std::size_t> front;
   for (const std::size_t i : order) {
-    if (front.empty() || outcomes[i].hit_pct > outcomes[front.back()].hit_pct) front.push_back(i);
+    if (front.empty() || outcomes[i].cover_pct > outcomes[front.back()].cover_pct)
+      front.push_back(i);
   }
   return front;
 }
@@ -57,7 +60,7 @@ std::vector<std::size_t> pareto_front(const std::vector<Outcome>& outcomes) {
 Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal) {
   if (goal.coverage_pct) {
     const std::size_t found = best_of(
-        outcomes, shortness, [&](const Outcome& o) { return o.hit_pct >= *goal.coverage_pct; });
+        outcomes, shortness, [&](const Outcome& o) { return o.cover_pct >= *goal.coverage_pct; });
     if (found != kNone) {
       return {found,
               fmt::format("the shortest plan with at least {:g} % coverage", *goal.coverage_pct)};
@@ -73,7 +76,7 @@ Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal) {
     return within(outcomes, fmt::format("{:g} s", *goal.time_s),
                   [&](const Outcome& o) { return o.duration_s <= *goal.time_s; });
   }
-  const auto worth = [](const Outcome& o) { return o.hit_pct - kWorthPerRatio * o.length_ratio; };
+  const auto worth = [](const Outcome& o) { return o.cover_pct - kWorthPerRatio * o.length_ratio; };
   return {
       best_of(outcomes, worth, any),
       fmt::format("the best of coverage less {:g} points for each ideal length", kWorthPerRatio)};

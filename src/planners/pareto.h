@@ -7,14 +7,19 @@
 
 namespace swathplan {
 
+/// What counts as covered: cells with a sounding, or cells whose centre lies in a beam's footprint.
+enum class Cover { hit, footprint };
+[[nodiscard]] const char* name(Cover cover);
+
 /// What a candidate plan costs and brings.
 struct Outcome {
   double length_ratio = 0.0;
-  double hit_pct = 0.0;
+  double cover_pct = 0.0;  ///< covered cells, as `cover` counts them
   std::size_t turns = 0;
   double length_m = 0.0;
   double duration_s = 0.0;
   std::string what;  ///< how it was made, for people
+  Cover cover = Cover::hit;
 };
 
 /// Indices of the outcomes that no other beats: none is as short or shorter with as much or more
@@ -23,7 +28,7 @@ struct Outcome {
 
 /// What a plan is asked for; at most one of them is set.
 struct PlanGoal {
-  std::optional<double> coverage_pct;  ///< the shortest plan with at least this hit coverage
+  std::optional<double> coverage_pct;  ///< the shortest plan with at least this coverage
   std::optional<double> length_m;      ///< the most coverage within this length
   std::optional<double> time_s;        ///< the most coverage within this time
 };

@@ -78,6 +78,9 @@ struct PlanOptions {
   std::optional<Angle> heading;  ///< azimuth of straight lines; empty: the planner's choice
   LineSource lines = LineSource::automatic;  ///< of fitted lines
   PlanGoal goal;                             ///< of fitted lines
+  /// What fitted and edge-following lines are laid for and judged by. Footprints meet out to the
+  /// sonar's largest opening, so lines for them lie farther apart than lines for hits.
+  Cover cover = Cover::hit;
   double lines_margin = 0.0;  ///< share of W that fitted lines keep in reserve, [0, 0.9)
 };
 

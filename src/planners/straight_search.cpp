@@ -129,7 +129,7 @@ class Search {
 
   [[nodiscard]] double worth(std::size_t i) const {
     const Outcome& o = pool_[i].outcome;
-    return o.hit_pct - kWorthPerRatio * o.length_ratio;
+    return o.cover_pct - kWorthPerRatio * o.length_ratio;
   }
 
   [[nodiscard]] std::vector<std::size_t> front() const {
@@ -137,7 +137,7 @@ class Search {
     for (const JudgedCandidate& j : pool_) outcomes.push_back(j.outcome);
     auto list = pareto_front(outcomes);
     if (list.size() > 1) {
-      std::erase_if(list, [&](std::size_t i) { return outcomes[i].hit_pct < kUseless; });
+      std::erase_if(list, [&](std::size_t i) { return outcomes[i].cover_pct < kUseless; });
     }
     return list;
   }
@@ -158,7 +158,9 @@ class Search {
       vary(&StraightCandidate::inset_m, inset);
     for (const double p : {0.0, 0.15, 0.35, 0.6}) vary(&StraightCandidate::percentile, p);
     for (const double o : {0.1, 0.4, 0.8, 1.5, 3.0}) vary(&StraightCandidate::overlap_m, o);
-    for (const double g : {1.0, 1.2, 1.5}) vary(&StraightCandidate::gap, g);
+    if (shop_.options().cover == Cover::hit) {
+      for (const double g : {1.0, 1.2, 1.5}) vary(&StraightCandidate::gap, g);
+    }
     for (const double s : {0.65, 1.0}) vary(&StraightCandidate::widest_share, s);
     if (!shop_.options().heading) {
       vary(&StraightCandidate::azimuth_deg, std::fmod(c.azimuth_deg + 90.0, 180.0));

@@ -82,7 +82,9 @@ std::optional<double> WaterRaster::depth_near(const Vec2& p) const {
 
 double gap_free_width_m(const PlanOptions& options, double depth_m, double gap_m) {
   const double below = std::max(depth_m - options.vehicle.draft_m, 1e-3);
-  const double half = gap_free_half_angle(options.sonar, below, gap_m).rad();
+  const double half = options.cover == Cover::footprint
+                          ? 0.5 * options.sonar.max_opening.rad()
+                          : gap_free_half_angle(options.sonar, below, gap_m).rad();
   const double range = options.sonar.max_range_m;
   const double reach = range > below ? std::sqrt(range * range - below * below) : 1e-3;
   return 2.0 * std::min(below * std::tan(half), reach);

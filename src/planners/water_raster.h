@@ -37,8 +37,9 @@ class WaterRaster {
   std::vector<float> depth_;
 };
 
-/// The swath that a vessel over flat ground of `depth_m` sweeps with neighbouring beams no farther
-/// apart than `gap_m`, capped by the sonar's opening and range; metres.
+/// The swath that a vessel over flat ground of `depth_m` sweeps, capped by the sonar's opening and
+/// range; metres. Where hits count, with neighbouring beams no farther apart than `gap_m`;
+/// footprints meet without that.
 [[nodiscard]] double gap_free_width_m(const PlanOptions& options, double depth_m, double gap_m);
 
 /// W of every cell of the area, metres; 0 outside. `gap` as a multiple of the scoring cell, > 0.

@@ -136,6 +136,8 @@ TEST(BadOptions, NameOptionValueAndRule) {
   expect_refusal(folder, plan(file, "--contingency nan"), 2, {"--contingency", "nan"});
   expect_refusal(folder, plan(file, "--start here"), 2, {"--start"});
   expect_refusal(folder, "plan " + file + " --planner magic -o out", 2, {"magic", "mdnuc"});
+  expect_refusal(folder, plan(file, "--cover footprint --hit-only"), 2, {"--cover", "--hit-only"});
+  EXPECT_EQ(folder.run(plan(file, "--cover sight")).code, 2);
   EXPECT_EQ(folder.run(plan(file, "--faces hexagon")).code, 2);
   EXPECT_EQ(folder.run("plan").code, 2);
   EXPECT_EQ(folder.run("").code, 2);

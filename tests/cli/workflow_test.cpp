@@ -183,6 +183,26 @@ TEST(Lines, WriteARouteAPictureAndFiguresThatAgree) {
   }
 }
 
+TEST(Plan, FittedLinesAreJudgedByFootprintsOnRequest) {
+  const Folder folder;
+  const std::string common = "plan " + dataset("saddle.asc") +
+                             " --resolution 0.2 --run-out-margin 10 --coverage 99 --cover "
+                             "footprint ";
+  const auto run = folder.run(common + "-o out");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json score = json_of(folder / "out" / "score.json");
+  EXPECT_GE(score.at("coverage_footprint_pct").get<double>(), 99.0);
+  const json plan = json_of(folder / "out" / "plan.json");
+  bool picked = false;
+  for (const json& choice : plan.at("choices")) {
+    if (!choice.at("picked").get<bool>()) continue;
+    picked = true;
+    EXPECT_NEAR(choice.at("coverage_footprint_pct").get<double>(),
+                score.at("coverage_footprint_pct").get<double>(), 1e-6);
+  }
+  EXPECT_TRUE(picked);
+}
+
 TEST(Plan, AreaAndNoGoAreHonoured) {
   const Folder folder;
   const auto polygon = [](double x0, double y0, double x1, double y1) {

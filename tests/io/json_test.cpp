@@ -167,13 +167,13 @@ TEST(PlanJson, HoldsTheChoicesThatThePlannerHad) {
   PlanFacts facts;
   facts.planner = "fitted-lines";
   facts.choices = {{.length_ratio = 1.5,
-                    .hit_pct = 95.0,
+                    .cover_pct = 95.0,
                     .turns = 20,
                     .length_m = 3000.0,
                     .duration_s = 1500.0,
                     .what = "9 straight rows"},
                    {.length_ratio = 2.0,
-                    .hit_pct = 99.0,
+                    .cover_pct = 99.0,
                     .turns = 30,
                     .length_m = 4000.0,
                     .duration_s = 2000.0,
@@ -187,6 +187,10 @@ TEST(PlanJson, HoldsTheChoicesThatThePlannerHad) {
                             "turns": 20, "duration_s": 1500.0, "made_of": "9 straight rows",
                             "picked": false})"));
   EXPECT_EQ(read["choices"][1]["picked"], true);
+  facts.choices[0].cover = Cover::footprint;
+  EXPECT_EQ(
+      json::parse(plan_json(facts, {}, test::provenance()))["choices"][0]["coverage_footprint_pct"],
+      95.0);
   EXPECT_EQ(read["picked_because"], "the most coverage");
   facts.choices.clear();
   EXPECT_TRUE(json::parse(plan_json(facts, {}, test::provenance()))["picked_because"].is_null());

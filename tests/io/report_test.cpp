@@ -172,8 +172,8 @@ TEST(Report, SaysWhereAPlanCannotBeSailedAndWhy) {
 TEST(Report, CarriesTheChoicesOfAPlanner) {
   const Sample s;
   std::vector<ReportPlan> plans = s.plans();
-  plans[0].choices = {{.length_ratio = 1.5, .hit_pct = 95.0, .what = "few"},
-                      {.length_ratio = 2.0, .hit_pct = 99.0, .what = "many"}};
+  plans[0].choices = {{.length_ratio = 1.5, .cover_pct = 95.0, .what = "few"},
+                      {.length_ratio = 2.0, .cover_pct = 99.0, .what = "many"}};
   plans[0].chosen = 1;
   plans[0].chosen_why = "the most coverage";
   const json data = data_of(report_html(s.site(), plans));
@@ -182,7 +182,10 @@ TEST(Report, CarriesTheChoicesOfAPlanner) {
   EXPECT_EQ(choices["list"][1]["coverage_pct"], 99.0);
   EXPECT_EQ(choices["chosen"], 1);
   EXPECT_EQ(choices["why"], "the most coverage");
+  EXPECT_EQ(choices["cover"], "hit");
   EXPECT_TRUE(data["plans"][1]["choices"]["list"].empty());
+  for (Outcome& o : plans[0].choices) o.cover = Cover::footprint;
+  EXPECT_EQ(data_of(report_html(s.site(), plans))["plans"][0]["choices"]["cover"], "footprint");
 }
 
 TEST(Report, NeedsAPlan) {

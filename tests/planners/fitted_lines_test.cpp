@@ -24,7 +24,7 @@ struct Site {
   [[nodiscard]] Score score(const Route& route, const PlanOptions& options) const {
     ScoreOptions how;
     how.resolution_m = options.resolution_m;
-    how.footprint = false;
+    how.footprint = options.cover == Cover::footprint;
     return swathplan::score(route, {&seafloor, &depths, &scene, ground.survey_area, ground.water},
                             options.sonar, options.vehicle, how)
         .score;
@@ -60,11 +60,11 @@ TEST(FittedLines, ChoicesRiseInLengthAndCoverageAndSayWhatTheScorerSays) {
   ASSERT_FALSE(plan.choices.empty());
   for (std::size_t i = 0; i + 1 < plan.choices.size(); ++i) {
     EXPECT_LT(plan.choices[i].length_ratio, plan.choices[i + 1].length_ratio);
-    EXPECT_LT(plan.choices[i].hit_pct, plan.choices[i + 1].hit_pct);
+    EXPECT_LT(plan.choices[i].cover_pct, plan.choices[i + 1].cover_pct);
   }
   const Score score = site.score(plan.route, options);
   ASSERT_LT(plan.chosen, plan.choices.size());
-  EXPECT_NEAR(plan.choices[plan.chosen].hit_pct, score.all.hit_pct, 1e-9);
+  EXPECT_NEAR(plan.choices[plan.chosen].cover_pct, score.all.hit_pct, 1e-9);
   EXPECT_NEAR(plan.choices[plan.chosen].length_ratio, score.route.length_ratio, 1e-9);
 }
 
@@ -77,6 +77,24 @@ TEST(FittedLines, GiveWhatTheGoalAsksFor) {
   options.goal = {.coverage_pct = {}, .length_m = 0.8 * length_m(covered.route), .time_s = {}};
   const Plan shorter = plan_fitted_lines(site.ground, options);
   EXPECT_LE(length_m(shorter.route), 0.8 * length_m(covered.route));
+}
+
+TEST(FittedLines, ForFootprintsLieFartherApartThanForHits) {
+  const Site site(tilted(60.0, 40.0, 6.0, Angle::degrees(8.0)), 10.0);
+  PlanOptions options = quarter_metre();
+  options.resolution_m = 0.10;
+  options.sonar.max_opening = Angle::degrees(130.0);
+  options.goal.coverage_pct = 99.0;
+  const Plan hits = plan_fitted_lines(site.ground, options);
+  options.cover = Cover::footprint;
+  const Plan plan = plan_fitted_lines(site.ground, options);
+  ASSERT_EQ(fault(plan.route), std::nullopt);
+  const Score score = site.score(plan.route, options);
+  EXPECT_GE(score.all.footprint_pct.value(), 99.0);
+  EXPECT_LT(length_m(plan.route), 0.8 * length_m(hits.route));
+  ASSERT_LT(plan.chosen, plan.choices.size());
+  EXPECT_EQ(plan.choices[plan.chosen].cover, Cover::footprint);
+  EXPECT_NEAR(plan.choices[plan.chosen].cover_pct, score.all.footprint_pct.value(), 1e-9);
 }
 
 TEST(FittedLines, AreTheSameForAnyNumberOfThreads) {

@@ -38,6 +38,18 @@ struct Gap {
   Route route;
 };
 
+TEST(Infill, CountsWhatFootprintsCoverWhereTheyAreAskedFor) {
+  Gap gap;
+  gap.options.cover = Cover::footprint;
+  LineWorkshop shop(gap.ground, gap.options);
+  const Score before = shop.score(gap.route).score;
+  const InfilledRoute filled = infilled(gap.route, gap.ground, gap.options);
+  const Score after = shop.score(filled.built.route).score;
+  EXPECT_EQ(shop.cover_pct(before), before.all.footprint_pct.value());
+  EXPECT_LT(shop.cover_pct(before), 60.0);
+  EXPECT_GT(shop.cover_pct(after), 97.0);
+}
+
 TEST(Infill, ClosesTheGapBetweenTwoLinesAndKeepsTheirOrder) {
   const Gap gap;
   LineWorkshop shop(gap.ground, gap.options);

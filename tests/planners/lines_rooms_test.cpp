@@ -35,7 +35,7 @@ TEST(ParetoFront, KeepsWhatNothingBeats) {
   const double hit[] = {98.0, 96.0, 95.0, 97.0, 99.0};
   for (std::size_t i = 0; i < 5; ++i) {
     outcomes[i].length_ratio = ratio[i];
-    outcomes[i].hit_pct = hit[i];
+    outcomes[i].cover_pct = hit[i];
   }
   EXPECT_EQ(pareto_front(outcomes), (std::vector<std::size_t>{1, 0, 4}));
   EXPECT_TRUE(pareto_front({}).empty());
@@ -48,9 +48,9 @@ TEST(ParetoPick, FollowsTheGoalAndSaysWhenItIsOutOfReach) {
     outcomes[i].length_m = 100.0 * outcomes[i].length_ratio;
     outcomes[i].duration_s = 50.0 * outcomes[i].length_ratio;
   }
-  outcomes[0].hit_pct = 90.0;
-  outcomes[1].hit_pct = 98.0;
-  outcomes[2].hit_pct = 99.0;
+  outcomes[0].cover_pct = 90.0;
+  outcomes[1].cover_pct = 98.0;
+  outcomes[2].cover_pct = 99.0;
   EXPECT_EQ(pick(outcomes, {}).index, 1U);
   EXPECT_EQ(pick(outcomes, {.coverage_pct = 98.5, .length_m = {}, .time_s = {}}).index, 2U);
   EXPECT_EQ(pick(outcomes, {.coverage_pct = {}, .length_m = 250.0, .time_s = {}}).index, 1U);

@@ -16,9 +16,15 @@ function ticks(low, high, wanted) {
   return Array.from({length: last - first + 1}, (_, i) => +((first + i) * step).toPrecision(12));
 }
 
+/** Coverage of a plan as its planner counted it: cells hit, or cells in a beam's footprint. */
+function covered(plan) {
+  const by = plan.choices.cover === 'footprint' ? plan.figures.coverage_footprint_pct : null;
+  return by ?? plan.figures.coverage_hit_pct;
+}
+
 function drawChart(place) {
   const W = 460, H = 320, left = 58, right = 22, top = 16, bottom = 50;
-  const all = plans.flatMap((p) => [[p.figures.length_ratio, p.figures.coverage_hit_pct],
+  const all = plans.flatMap((p) => [[p.figures.length_ratio, covered(p)],
     ...p.choices.list.map((c) => [c.length_ratio, c.coverage_pct])]);
   const xs = all.map((a) => a[0]), ys = all.map((a) => a[1]);
   const alone = plans.length === 1 && all.length > 1;
@@ -31,7 +37,7 @@ function drawChart(place) {
   const py = (y) => top + (y1 - y) / (y1 - y0) * (H - top - bottom);
   const chart = svg('svg', {viewBox: `0 0 ${W} ${H}`, role: 'img', 'aria-label':
     'Coverage against length: ' + plans.map((p) =>
-      `${p.name} ${percent(p.figures.coverage_hit_pct)} at ${ratio(p.figures.length_ratio)}`).join('; ')});
+      `${p.name} ${percent(covered(p))} at ${ratio(p.figures.length_ratio)}`).join('; ')});
   for (const y of yt) {
     chart.append(svg('line', {class: 'grid', x1: left, x2: W - right, y1: py(y), y2: py(y)}),
       svg('text', {x: left - 7, y: py(y) + 4, 'text-anchor': 'end'}, y));
@@ -71,9 +77,8 @@ function drawChoices(chart, plan, px, py) {
 
 function drawPlans(chart, px, py, width) {
   const taken = [];
-  const high = (p) => p.figures.coverage_hit_pct;
-  for (const plan of [...plans].sort((a, b) => high(b) - high(a))) {
-    const x = px(plan.figures.length_ratio), y = py(high(plan));
+  for (const plan of [...plans].sort((a, b) => covered(b) - covered(a))) {
+    const x = px(plan.figures.length_ratio), y = py(covered(plan));
     chart.append(svg('circle', {cx: x, cy: y, r: 6.5, fill: plan.tint, stroke: '#fff', 'stroke-width': 1.5}));
     const wide = 7.5 * plan.name.length, gap = plan.choices.list.length ? 16 : 11;
     const rightwards = x + wide + gap < width;
@@ -87,10 +92,11 @@ function drawPlans(chart, px, py, width) {
 }
 
 function choicesText(plan) {
-  const {list, chosen: picked, why} = plan.choices;
+  const {list, chosen: picked, why, cover} = plan.choices;
+  const by = cover === 'footprint' ? ' (of beam footprints)' : '';
   const c = list[picked];
   return element('p', {class: 'says'}, element('strong', {}, `${plan.name}: `),
-    `diamonds are the ${list.length} plans that no other tried plan beats in both length and coverage. ` +
+    `diamonds are the ${list.length} plans that no other tried plan beats in both length and coverage${by}. ` +
     `Picked (ring): ${c.what}, ${why}.`);
 }
 

@@ -239,13 +239,17 @@ Json cut_off_json(const ReportSite& site, const Pen& pen, double tolerance_m) {
 Json choices_json(const ReportPlan& plan) {
   Json list = Json::array();
   for (const Outcome& o : plan.choices) {
-    list.push_back({{"coverage_pct", o.hit_pct},
+    list.push_back({{"coverage_pct", o.cover_pct},
                     {"length_ratio", o.length_ratio},
                     {"length_m", o.length_m},
                     {"turns", o.turns},
                     {"what", o.what}});
   }
-  return {{"list", std::move(list)}, {"chosen", plan.chosen}, {"why", plan.chosen_why}};
+  const Cover cover = plan.choices.empty() ? Cover::hit : plan.choices.front().cover;
+  return {{"list", std::move(list)},
+          {"cover", name(cover)},
+          {"chosen", plan.chosen},
+          {"why", plan.chosen_why}};
 }
 
 Json coverage_json(const CoverageGrid& grid, const Pen& pen, std::size_t budget) {
