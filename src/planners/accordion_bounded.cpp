@@ -92,8 +92,8 @@ bool loop_stays_in_bound(const AccordionState& state, double back) {
   return state.sailed_m + way + lawnmower_length_m(o, state.front_m) <= whole + kSamePlace;
 }
 
-// Whether a lawnmower from `next` on would still end within the bound, should objects yet unseen ask
-// for it.
+// Whether a lawnmower from `next` on would still end within the bound, should objects yet unseen
+// ask for it.
 bool lawnmower_stays_in_bound(const AccordionState& state, double next) {
   const AccordionOptions& o = state.options;
   const double whole = o.length_m + lawnmower_length_m(o, 0.0) + o.length_m + o.spacing_m;
