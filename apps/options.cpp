@@ -101,6 +101,7 @@ void require(bool good, const char* option, double value, const char* rule) {
 template <class Presets>
 std::string names(const Presets& presets) {
   std::vector<std::string> list;
+  list.reserve(std::size(presets));
   for (const auto& preset : presets) list.push_back(preset.name);
   return fmt::format("{}", fmt::join(list, ", "));
 }

@@ -120,7 +120,7 @@ void FootprintSweep::profile(float reach) {
   const auto r = static_cast<std::int32_t>(std::ceil(reach));
   const std::int32_t low = floor_to_int(pieces_.left.front());
   const std::int32_t high = floor_to_int(pieces_.right.back());
-  const auto bins = static_cast<std::size_t>(high - low + 1 + 4 * (r + 1));
+  const auto bins = static_cast<std::size_t>(high - low) + 4 * static_cast<std::size_t>(r) + 5;
   least_.assign(bins, -FanFootprints::kNoFootprint);
   most_.assign(bins, 0.0F);
   constexpr auto kNoPiece = std::numeric_limits<std::uint32_t>::max();
@@ -197,7 +197,7 @@ void FootprintSweep::add_lines(const LineFrame& f) {
   if (first > last) return;
   make_room(f.line + first, f.line + last);
 
-  const auto n = static_cast<std::size_t>(last - first + 1);
+  const auto n = static_cast<std::size_t>(last - first) + 1;
   sure_low_.resize(n);
   sure_high_.resize(n);
   low_.resize(n);
@@ -290,7 +290,7 @@ void FootprintSweep::make_room(std::int32_t first, std::int32_t last) {
     patch_.high.insert(patch_.high.begin(), extra, -1);
     patch_.first_line = first;
   }
-  const auto size = static_cast<std::size_t>(last - patch_.first_line + 1);
+  const auto size = static_cast<std::size_t>(last - patch_.first_line) + 1;
   if (patch_.low.size() < size) {
     patch_.low.resize(size, kNone);
     patch_.high.resize(size, -1);

@@ -49,6 +49,7 @@ struct FieldLinesOptions {
 
 /// Chords longer than this make the course jump in bends, and the outside of a bend goes unseen.
 inline constexpr double kFieldStep = 0.2;
+// NOLINTNEXTLINE(bugprone-incorrect-roundings): lround is not constexpr
 inline constexpr int kFieldParts = static_cast<int>(kCurveStep / kFieldStep + 0.5);
 inline constexpr double kShortestField = 0.3;
 
