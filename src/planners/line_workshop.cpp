@@ -47,6 +47,7 @@ std::vector<std::vector<Waypoint>> LineWorkshop::sailed(const std::vector<Survey
   auto opened = opened_lines(lines, raster_, width, survey_area_, options_, angles);
   std::erase_if(opened, [](const auto& line) { return line.size() < 2; });
   std::vector<LineEnds> ends;
+  ends.reserve(opened.size());
   for (const auto& line : opened) ends.push_back(ends_of(line));
   std::vector<std::vector<Waypoint>> result;
   int number = 1;

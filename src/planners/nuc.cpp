@@ -14,8 +14,6 @@
 namespace swathplan {
 namespace {
 
-constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-
 /// Where on an edge (0 at the corner that both quads touch, 1 at the other) a path may cross it:
 /// inside their half, off the corner and off the midpoint by this much.
 constexpr double kCrossingMargin = 0.04;

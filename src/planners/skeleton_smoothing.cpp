@@ -21,7 +21,7 @@ double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
 class Room {
  public:
   Room(const std::vector<std::pair<Vec2, Vec2>>& blocked, const Area& water, double reach)
-      : blocked_(blocked), water_(water), reach_(reach), cell_(4.0 * reach) {
+      : blocked_(blocked), water_(water), cell_(4.0 * reach) {
     for (std::size_t i = 0; i < blocked.size(); ++i) {
       const auto& [a, b] = blocked[i];
       const Vec2 low = a.cwiseMin(b) - Vec2::Constant(2.0 * reach);
@@ -55,7 +55,7 @@ class Room {
 
   const std::vector<std::pair<Vec2, Vec2>>& blocked_;
   AreaQuery water_;
-  double reach_, cell_;
+  double cell_;
   std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
 };
 
@@ -108,6 +108,7 @@ std::vector<SkeletonPoint> smoothed(const SkeletonCycle& cycle,
   if (cover != nullptr) {
     bounded.pull = [&](const std::vector<Vec2>& points, const std::vector<double>& at) {
       std::vector<FanAngles> fans;
+      fans.reserve(at.size());
       for (const double a : at) fans.push_back(cover->fan_of(cycle[source(a)].face));
       return pulled(points, cover->cover.pull(points, fans));
     };
