@@ -207,6 +207,7 @@ std::vector<std::uint32_t> FaceMerging::neighbours(std::uint32_t f) const {
     if (g != kNone) common[g] += (mesh_.vertices[a] - mesh_.vertices[b]).norm();
   }
   std::vector<std::uint32_t> result;
+  result.reserve(common.size());
   for (const auto& [g, length] : common) result.push_back(g);
   std::stable_sort(result.begin(), result.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return common[a] > common[b]; });

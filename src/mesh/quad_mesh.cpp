@@ -85,6 +85,7 @@ std::vector<Cdt::Face_handle> inside_triangles(const Cdt& cdt, const Area& part)
     return std::pair(a.first.y(), a.first.x()) < std::pair(b.first.y(), b.first.x());
   });
   std::vector<Cdt::Face_handle> result;
+  result.reserve(found.size());
   for (const auto& [centre, f] : found) result.push_back(f);
   return result;
 }

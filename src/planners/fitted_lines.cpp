@@ -69,6 +69,7 @@ double worth(const Outcome& o) { return o.cover_pct - kWorthPerRatio * o.length_
 
 std::vector<std::size_t> front_of(const std::vector<Finished>& plans) {
   std::vector<Outcome> outcomes;
+  outcomes.reserve(plans.size());
   for (const Finished& f : plans) outcomes.push_back(f.outcome);
   return pareto_front(outcomes);
 }

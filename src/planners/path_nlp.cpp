@@ -21,7 +21,8 @@ double residual(const LinearTerm& term, const Number* x) {
 Vec2 combined(const NormConstraint& norm, const Number* x) {
   Vec2 sum = Vec2::Zero();
   for (const auto& [point, factor] : norm.parts) {
-    sum += factor * Vec2(x[2 * point], x[2 * point + 1]);
+    const auto at = 2 * static_cast<std::ptrdiff_t>(point);
+    sum += factor * Vec2(x[at], x[at + 1]);
   }
   return sum;
 }
