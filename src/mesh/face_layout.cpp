@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/error.h"
+
 namespace swathplan {
 namespace {
 
@@ -83,9 +85,16 @@ double fitted_step(double length, double wanted) {
 }
 
 FaceLayout face_layout(const Area& area, double size_m, Angle turn) {
+  if (area.empty()) throw InvalidInput("the survey area is empty: there is nothing to mesh");
   const Angle by =
       Angle::radians(main_direction(simplify(area, kOutlineTolerance * size_m)) + turn.rad());
   return {rotated(outline_for_faces(area, size_m), -by), by};
+}
+
+void require_faces(const PlanarMesh& mesh) {
+  if (!mesh.faces.empty()) return;
+  throw InvalidInput(
+      "the survey area is too small for a single face; use a finer --resolution or a larger area");
 }
 
 }  // namespace swathplan

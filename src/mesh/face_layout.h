@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh/angle.h"
+#include "mesh/planar_mesh.h"
 #include "mesh/polygons.h"
 
 namespace swathplan {
@@ -15,7 +16,11 @@ struct FaceLayout {
 /// Lays the area out for faces of `size_m` (the triangles' hypotenuse, the quads' side), their
 /// lattice turned by `turn` against the direction that most of the outline follows. The outline
 /// lies inside the given one, with details under 2 % of `size_m` smoothed away.
+/// @throws InvalidInput for an empty area.
 [[nodiscard]] FaceLayout face_layout(const Area& area, double size_m, Angle turn);
+
+/// @throws InvalidInput if the area was too small for a single face.
+void require_faces(const PlanarMesh& mesh);
 
 /// Turned counter-clockwise about the origin.
 [[nodiscard]] Vec2 rotated(const Vec2& p, Angle by);

@@ -138,7 +138,6 @@ class Builder {
 PlanarMesh planar_mesh(const Area& area, const PlanarMeshOptions& options) {
   if (!(options.hypotenuse_m > 0.0))
     throw UsageError("the faces' hypotenuse must be above 0 metres");
-  if (area.empty()) throw InvalidInput("the survey area is empty: there is nothing to mesh");
   const FaceLayout layout = face_layout(area, options.hypotenuse_m, options.turn);
   const Area& turned = layout.area;
   Builder builder(turned, options.hypotenuse_m / std::numbers::sqrt2);
@@ -146,11 +145,7 @@ PlanarMesh planar_mesh(const Area& area, const PlanarMeshOptions& options) {
   for (const Polygon& polygon : turned) builder.insert_lattice(polygon);
   builder.refine();
   PlanarMesh mesh = builder.mesh(layout.turned_by);
-  if (mesh.faces.empty()) {
-    throw InvalidInput(
-        "the survey area is too small for a single face; use a finer --resolution or a larger "
-        "area");
-  }
+  require_faces(mesh);
   return mesh;
 }
 

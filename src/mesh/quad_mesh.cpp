@@ -160,7 +160,6 @@ PlanarMesh faces_of(const Polygon& polygon, double side) {
 
 PlanarMesh quad_mesh(const Area& area, const QuadMeshOptions& options) {
   if (!(options.side_m > 0.0)) throw UsageError("the faces' side must be above 0 metres");
-  if (area.empty()) throw InvalidInput("the survey area is empty: there is nothing to mesh");
   const FaceLayout layout = face_layout(area, options.side_m, options.turn);
   PlanarMesh mesh;
   for (const Polygon& polygon : layout.area) {
@@ -172,11 +171,7 @@ PlanarMesh quad_mesh(const Area& area, const QuadMeshOptions& options) {
       mesh.faces.push_back(std::move(face));
     }
   }
-  if (mesh.faces.empty()) {
-    throw InvalidInput(
-        "the survey area is too small for a single face; use a finer --resolution or a larger "
-        "area");
-  }
+  require_faces(mesh);
   return mesh;
 }
 

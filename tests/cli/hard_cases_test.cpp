@@ -11,9 +11,8 @@ namespace {
 using nlohmann::json;
 using test::dataset;
 using test::Folder;
+using test::json_of;
 using test::text_of;
-
-json json_of(const std::filesystem::path& file) { return json::parse(text_of(file)); }
 
 /// A grid of 5 m cells from rows of '.' (10 m deep) and '#' (no data).
 std::string grid(const std::vector<std::string>& rows) {

@@ -12,9 +12,8 @@ namespace {
 using nlohmann::json;
 using test::dataset;
 using test::Folder;
+using test::json_of;
 using test::text_of;
-
-json json_of(const std::filesystem::path& file) { return json::parse(text_of(file)); }
 
 TEST(Synth, RegeneratesTheShippedDatasetsByteForByte) {
   const Folder folder;
