@@ -1,36 +1,78 @@
 #include "planners/back_and_forth.h"
 
+#include <fmt/format.h>
+
+#include <array>
+
 #include "planners/route_builder.h"
+#include "planners/simulated.h"
 #include "planners/survey_lines.h"
 
 namespace swathplan {
+namespace {
 
-Plan plan_back_and_forth(const PlanningGround& ground, const PlanOptions& options) {
-  check(options);
+/// Shares of W that all rows are shifted by; centred rows first, which stay where none is better.
+constexpr std::array kShifts = {0.0, -0.0625, 0.0625, -0.125, 0.125, -0.1875, 0.1875, -0.25, 0.25};
+
+struct Rows {
+  Area area;
+  Angle azimuth;
+  FanAngles fan;
+};
+
+std::vector<SurveyLine> lines_of(const Rows& rows, const PlanOptions& options, double shift) {
   const double width = footprint_width_m(options);
-  Plan plan;
-  plan.mesh = planning_mesh(ground, options);
-  plan.edges = shared_edges(plan.mesh);
-  const double mean = mean_depth_m(
-      depth_regions(plan.mesh, plan.edges, *ground.depths, {.bands = {.count = 1, .limits = {}}}));
-  const FanAngles fan = fan_for_depth(options, mean);
-  plan.openings = {fan.port + fan.starboard};
-  plan.mesh = {};
-  plan.edges.clear();
+  return parallel_lines(rows.area, {.azimuth = rows.azimuth,
+                                    .spacing_m = width,
+                                    .inset_m = kLineInset,
+                                    .shift_m = shift * width});
+}
 
-  const Area area = reachable_area(ground);
-  const Angle azimuth = options.heading.value_or(best_azimuth(area, width));
-  const auto lines = to_and_fro(
-      parallel_lines(area, {.azimuth = azimuth, .spacing_m = width, .inset_m = kLineInset}),
-      options.start);
+Plan sailed(const std::vector<SurveyLine>& lines, const Rows& rows, const PlanningGround& ground,
+            const PlanOptions& options) {
+  Plan plan;
+  plan.openings = {rows.fan.port + rows.fan.starboard};
   RouteBuilder builder(ground, options);
   int number = 1;
-  for (const SurveyLine& line : lines)
-    builder.add_line(line_waypoints(line, number++, fan, options));
+  for (const SurveyLine& line : to_and_fro(lines, options.start)) {
+    builder.add_line(line_waypoints(line, number++, rows.fan, options));
+  }
   plan.route = builder.finish();
   plan.notes = builder.notes();
   if (options.opening == Opening::ping) plan.route = opened_per_ping(plan.route, ground, options);
   return plan;
+}
+
+Plan best_placed(const Rows& rows, const PlanningGround& ground, const PlanOptions& options) {
+  std::vector<Plan> plans;
+  std::vector<Outcome> outcomes;
+  for (const double shift : kShifts) {
+    plans.push_back(sailed(lines_of(rows, options, shift), rows, ground, options));
+    outcomes.push_back(simulated_hits(plans.back().route, ground, options));
+  }
+  const std::size_t best = pick(outcomes, {}).index;
+  plans[best].notes.push_back(
+      fmt::format("few rows fit the area: of {} placements the simulator chose rows shifted by "
+                  "{:g} m from the centred ones",
+                  plans.size(), kShifts[best] * footprint_width_m(options)));
+  return std::move(plans[best]);
+}
+
+}  // namespace
+
+Plan plan_back_and_forth(const PlanningGround& ground, const PlanOptions& options) {
+  check(options);
+  const PlanarMesh mesh = planning_mesh(ground, options);
+  const double mean = mean_depth_m(depth_regions(mesh, shared_edges(mesh), *ground.depths,
+                                                 {.bands = {.count = 1, .limits = {}}}));
+  Rows rows{reachable_area(ground), {}, fan_for_depth(options, mean)};
+  rows.azimuth = options.heading.value_or(best_azimuth(rows.area, footprint_width_m(options)));
+
+  const std::vector<SurveyLine> centred = lines_of(rows, options, 0.0);
+  if (ground.scene != nullptr && !centred.empty() && centred.back().row < kFewRows) {
+    return best_placed(rows, ground, options);
+  }
+  return sailed(centred, rows, ground, options);
 }
 
 }  // namespace swathplan

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "coverage/score.h"
+#include "planners/simulated.h"
 
 namespace swathplan {
 namespace {
@@ -23,7 +23,7 @@ struct Candidate {
   double face_size;
   double turn_deg;
   Plan plan;
-  double hit_pct = 0.0, length_ratio = 0.0;
+  Outcome outcome;
 };
 
 /// The plain lattice first: it stays where nothing is better. A quarter turn of quads is the same
@@ -32,7 +32,7 @@ std::vector<Candidate> candidates(FaceShape faces) {
   std::vector<Candidate> result;
   const auto add = [&](const auto& sizes, const auto& turns_deg) {
     for (const double size : sizes) {
-      for (const double turn : turns_deg) result.push_back({size, turn, {}});
+      for (const double turn : turns_deg) result.push_back({size, turn, {}, {}});
     }
   };
   if (faces == FaceShape::quad) {
@@ -43,25 +43,11 @@ std::vector<Candidate> candidates(FaceShape faces) {
   return result;
 }
 
-void score_candidate(const PlanningGround& ground, const PlanOptions& options, Candidate& c) {
-  const ScoringGround scoring{ground.seafloor, ground.depths, ground.scene, ground.survey_area,
-                              ground.water};
-  ScoreOptions how;
-  how.resolution_m = options.resolution_m;
-  how.ping_spacing_m = options.ping_spacing_m;
-  how.footprint = false;
-  how.threads = options.threads;
-  const Score score =
-      swathplan::score(c.plan.route, scoring, options.sonar, options.vehicle, how).score;
-  c.hit_pct = score.all.hit_pct;
-  c.length_ratio = score.route.length_ratio;
-}
-
 /// Points of coverage that one more ideal length must bring.
 double points_per_ratio(const std::vector<Candidate>& tried) {
   std::vector<double> missed;
   missed.reserve(tried.size());
-  for (const Candidate& c : tried) missed.push_back(100.0 - c.hit_pct);
+  for (const Candidate& c : tried) missed.push_back(100.0 - c.outcome.cover_pct);
   const auto good = missed.begin() + static_cast<std::ptrdiff_t>(missed.size() / 4);
   std::nth_element(missed.begin(), good, missed.end());
   return kMissedPerRatio * *good;
@@ -80,10 +66,12 @@ Plan best_mesh_plan(const PlanningGround& ground, const PlanOptions& options,
   for (Candidate& c : tried) {
     c.plan = plan_on(mesh_of(area, options, c.face_size * footprint_width_m(options),
                              Angle::degrees(c.turn_deg)));
-    score_candidate(ground, options, c);
+    c.outcome = simulated_hits(c.plan.route, ground, options);
   }
   const double price = points_per_ratio(tried);
-  const auto worth = [&](const Candidate& c) { return c.hit_pct - price * c.length_ratio; };
+  const auto worth = [&](const Candidate& c) {
+    return c.outcome.cover_pct - price * c.outcome.length_ratio;
+  };
   const auto best =
       std::max_element(tried.begin(), tried.end(),
                        [&](const Candidate& a, const Candidate& b) { return worth(a) < worth(b); });

@@ -18,10 +18,11 @@ struct ParallelLinesOptions {
   Angle azimuth;           ///< of the lines, clockwise from north
   double spacing_m = 1.0;  ///< > 0
   double inset_m = 0.0;    ///< lines stop this far before the outline
+  double shift_m = 0.0;    ///< all rows lie this far to the right of where they are centred
 };
 
 /// Parallel lines across the area at an even spacing: as many as fit its width rounded, centred
-/// in it, each cut to the area. By row, then along. Pieces shorter than a fifth of the spacing are
+/// in it (and shifted), each cut to the area. By row, then along. Pieces shorter than a fifth of the spacing are
 /// left out where their row has a longer one.
 [[nodiscard]] std::vector<SurveyLine> parallel_lines(const Area& area,
                                                      const ParallelLinesOptions& options);

@@ -10,6 +10,7 @@
 #include "planners/mdnuc.h"
 #include "planners/multi_depth.h"
 #include "planners/nuc.h"
+#include "planners/simulated.h"
 #include "planners/survey_lines.h"
 #include "planners/water_path.h"
 
@@ -92,6 +93,24 @@ TEST(Planners, TheSimulatorChoosesAmongMeshesOfFewQuads) {
   ASSERT_FALSE(chosen.notes.empty());
   EXPECT_NE(chosen.notes.back().find("of 12 meshes"), std::string::npos) << chosen.notes.back();
   EXPECT_NE(chosen.mesh.vertices, plain.mesh.vertices);
+}
+
+// The pit's middle rows sound little of it where they are centred: shifted they bring more for the
+// same path.
+TEST(Planners, TheSimulatorPlacesFewRows) {
+  Site site(shaft());
+  const PlanOptions o = options(0.10, 2);
+  const Plan centred = plan_back_and_forth(site.ground, o);
+  EXPECT_TRUE(centred.notes.empty());
+  const RayScene scene(site.floor, Nodata::wall);
+  site.ground.scene = &scene;
+  const Plan placed = plan_back_and_forth(site.ground, o);
+  ASSERT_FALSE(placed.notes.empty());
+  EXPECT_NE(placed.notes.back().find("of 9 placements"), std::string::npos) << placed.notes.back();
+  const Outcome before = simulated_hits(centred.route, site.ground, o);
+  const Outcome after = simulated_hits(placed.route, site.ground, o);
+  EXPECT_GT(after.cover_pct, before.cover_pct + 0.5);
+  EXPECT_LE(after.length_ratio, before.length_ratio + 1e-9);
 }
 
 TEST(Planners, StartPointIsTaken) {

@@ -1,0 +1,26 @@
+#include "planners/simulated.h"
+
+#include "coverage/score.h"
+
+namespace swathplan {
+
+Outcome simulated_hits(const Route& route, const PlanningGround& ground,
+                       const PlanOptions& options) {
+  const ScoringGround scoring{ground.seafloor, ground.depths, ground.scene, ground.survey_area,
+                              ground.water};
+  ScoreOptions how;
+  how.resolution_m = options.resolution_m;
+  how.ping_spacing_m = options.ping_spacing_m;
+  how.footprint = false;
+  how.threads = options.threads;
+  const Score score = swathplan::score(route, scoring, options.sonar, options.vehicle, how).score;
+  Outcome outcome;
+  outcome.length_ratio = score.route.length_ratio;
+  outcome.cover_pct = score.all.hit_pct;
+  outcome.turns = score.route.turns;
+  outcome.length_m = score.route.length_m;
+  outcome.duration_s = score.route.duration_s;
+  return outcome;
+}
+
+}  // namespace swathplan
