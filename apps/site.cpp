@@ -24,8 +24,7 @@ void note_cut_off(Site& site) {
             [](const Polygon& a, const Polygon& b) { return area_m2({a}) > area_m2({b}); });
   std::string places;
   for (std::size_t i = 0; i < std::min(cut.size(), kMostPlaces); ++i) {
-    const Box2 box = extent({cut[i]});
-    const Vec2 at = site.seafloor().frame.to_file(0.5 * (box.min + box.max));
+    const Vec2 at = site.seafloor().frame.to_file(inner_point({cut[i]}));
     places += fmt::format("{}{:.0f} m2 about ({:.1f}, {:.1f})", i > 0 ? ", " : "",
                           area_m2({cut[i]}), at.x(), at.y());
   }

@@ -281,4 +281,33 @@ std::vector<std::pair<double, double>> clip_segment(const Area& area, const Vec2
   return inside;
 }
 
+Vec2 inner_point(const Area& area) {
+  constexpr int kSteps = 20;
+  const Box2 box = extent(area);
+  const auto at = [&](double right, double up) -> Vec2 {
+    return box.min + box.size().cwiseProduct(Vec2(right, up)) / double{kSteps};
+  };
+  Vec2 best = at(0.5 * kSteps, 0.5 * kSteps);
+  double most = -1.0;
+  for (int i = 1; i < kSteps; ++i) {
+    for (int j = 1; j < kSteps; ++j) {
+      const Vec2 p = at(i, j);
+      const double inside = contains(area, p) ? distance_to_outline(area, p) : -1.0;
+      if (inside > most) {
+        most = inside;
+        best = p;
+      }
+    }
+  }
+  if (most >= 0.0) return best;
+  for (int j = 1; j < kSteps; ++j) {
+    for (const auto& [from, to] : clip_segment(area, at(0, j), at(kSteps, j))) {
+      if (to - from <= most) continue;
+      most = to - from;
+      best = at(0.5 * (from + to) * kSteps, j);
+    }
+  }
+  return best;
+}
+
 }  // namespace swathplan

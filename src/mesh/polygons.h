@@ -28,6 +28,11 @@ using Area = std::vector<Polygon>;
 /// Distance to the nearest outline, metres.
 [[nodiscard]] double distance_to_outline(const Area& area, const Vec2& p);
 
+/// A point well inside an area, for a label or to say where it is: the best of a lattice of 19 x 19
+/// points; of an area too thin for them, the middle of the longest run along one of its rows. The
+/// middle of its extent only where it has no inside.
+[[nodiscard]] Vec2 inner_point(const Area& area);
+
 /// Boolean operations and offsetting through Clipper on a 0.1 mm lattice (kLattice): exact there,
 /// so results never cross themselves. Cost O(n log n).
 [[nodiscard]] Area unite(const Area& a, const Area& b);

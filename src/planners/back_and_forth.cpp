@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "planners/route_builder.h"
@@ -43,18 +44,29 @@ Plan sailed(const std::vector<SurveyLine>& lines, const Rows& rows, const Planni
   return plan;
 }
 
+std::size_t infeasible_points(const Plan& plan) {
+  const auto& points = plan.route.waypoints;
+  return static_cast<std::size_t>(
+      std::count_if(points.begin(), points.end(), [](const Waypoint& w) { return !w.feasible; }));
+}
+
+/// Placements with joins that cannot be steered give way to the centred one.
 Plan best_placed(const Rows& rows, const PlanningGround& ground, const PlanOptions& options) {
   std::vector<Plan> plans;
   std::vector<Outcome> outcomes;
+  std::vector<double> shifts;
   for (const double shift : kShifts) {
-    plans.push_back(sailed(lines_of(rows, options, shift), rows, ground, options));
-    outcomes.push_back(simulated_hits(plans.back().route, ground, options));
+    Plan plan = sailed(lines_of(rows, options, shift), rows, ground, options);
+    if (!plans.empty() && infeasible_points(plan) > infeasible_points(plans.front())) continue;
+    outcomes.push_back(simulated_hits(plan.route, ground, options));
+    plans.push_back(std::move(plan));
+    shifts.push_back(shift * footprint_width_m(options));
   }
   const std::size_t best = pick(outcomes, {}).index;
   plans[best].notes.push_back(
       fmt::format("few rows fit the area: of {} placements the simulator chose rows shifted by "
                   "{:g} m from the centred ones",
-                  plans.size(), kShifts[best] * footprint_width_m(options)));
+                  kShifts.size(), shifts[best]));
   return std::move(plans[best]);
 }
 

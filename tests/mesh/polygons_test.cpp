@@ -69,6 +69,16 @@ TEST(Polygons, SegmentsAreCutAtTheOutline) {
 }
 
 // The prepared query and the plain functions are two ways to the same answers.
+TEST(Polygons, InnerPointLiesInsideRingsAndThinStrips) {
+  const Area box = box_area(-50, -50, 50, 50);
+  for (const double width : {0.05, 2.0, 40.0}) {
+    const Area ring = subtract(box, offset(box, -width));
+    const Vec2 p = inner_point(ring);
+    EXPECT_TRUE(contains(ring, p)) << width << ": " << p.transpose();
+  }
+  EXPECT_LT(inner_point(box).norm(), 1e-9);
+}
+
 TEST(AreaQuery, AgreesWithThePlainFunctions) {
   const Area area = subtract(unite(blob(0, 0, 60, 1), blob(90, 20, 40, 2)), blob(10, 5, 15, 4));
   const AreaQuery query(area);

@@ -113,25 +113,6 @@ Json depth_json(const ReportSite& site, const Box2& box, const Pen& pen) {
           {"palette", palette_json(depth.picture.palette)}};
 }
 
-/// A point well inside an area, where its label goes: the best of a lattice of candidates.
-Vec2 label_point(const Area& area) {
-  constexpr int kSteps = 20;
-  const Box2 box = extent(area);
-  Vec2 best = (box.min + box.max) / 2.0;
-  double most = -1.0;
-  for (int i = 1; i < kSteps; ++i) {
-    for (int j = 1; j < kSteps; ++j) {
-      const Vec2 p = box.min + box.size().cwiseProduct(Vec2(i, j)) / double{kSteps};
-      const double inside = contains(area, p) ? distance_to_outline(area, p) : -1.0;
-      if (inside > most) {
-        most = inside;
-        best = p;
-      }
-    }
-  }
-  return best;
-}
-
 Json regions_json(const ReportSite& site, const Pen& pen, double tolerance_m) {
   Json out = Json::array();
   for (const ReportRegion& r : site.regions) {
@@ -139,7 +120,7 @@ Json regions_json(const ReportSite& site, const Pen& pen, double tolerance_m) {
     // The union of mesh faces leaves slits between some of them, a lattice step wide.
     const Area closed = offset(offset(r.outline, kSlit), -kSlit);
     out.push_back({{"rings", pen.rings(closed, tolerance_m)},
-                   {"label", pen.line({label_point(r.outline)})},
+                   {"label", pen.line({inner_point(r.outline)})},
                    {"band", r.band},
                    {"mean_depth_m", r.mean_depth_m},
                    {"opening_deg", r.opening_deg}});
@@ -221,7 +202,7 @@ Json cut_off_json(const ReportSite& site, const Pen& pen, double tolerance_m) {
   Json list = Json::array();
   for (const Polygon& piece : cut) {
     if (list.size() == kListedCutOffs) break;
-    const Vec2 at = label_point({piece});
+    const Vec2 at = inner_point({piece});
     const Vec2 file = site.seafloor->frame.to_file(at);
     list.push_back({{"area_m2", area_m2({piece})},
                     {"at", pen.line({at})},
