@@ -105,6 +105,11 @@ void add_scoring_options(CLI::App& command, SurveyOptions& o) {
   command.add_flag("--hit-only", o.hit_only, "Leave out the footprint score (faster)")
       ->group(group);
   command.add_option("--seed", o.seed, "Seed of the tracking errors")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return text.starts_with('-') ? std::string("must be a whole number of 0 or more") : "";
+          },
+          "UINT"))
       ->capture_default_str()
       ->group(group);
   command.add_option("--threads", o.threads, "Threads; 0: all cores (results do not depend on it)")
@@ -196,7 +201,12 @@ void add_planning_options(CLI::App& command, SurveyOptions& o) {
 }
 
 void add_output_options(CLI::App& command, OutputOptions& o) {
-  command.add_option("-o,--output", o.folder, "Folder for the results")->capture_default_str();
+  const CLI::Validator a_name(
+      [](std::string& text) { return text.empty() ? std::string("is empty; name a folder") : ""; },
+      "FOLDER");
+  command.add_option("-o,--output", o.folder, "Folder for the results")
+      ->check(a_name)
+      ->capture_default_str();
   command.add_flag("--json", o.json, "Print the results as JSON");
   command.add_flag("--quiet", o.quiet, "Print nothing but errors");
 }

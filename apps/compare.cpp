@@ -18,6 +18,13 @@ struct CompareCommand {
   std::vector<std::string> planners;
 };
 
+/// A planner that finds no plan does not take the others with it, unless it was the last hope.
+void leave_out(const Planner& planner, const InvalidInput& why, Site& site, bool none_left) {
+  if (none_left) throw why;
+  site.notes.push_back(fmt::format("{} is left out: {}", planner.label, why.what()));
+  fmt::print(stderr, "warning: {}\n", site.notes.back());
+}
+
 void run(const CompareCommand& command) {
   std::vector<const Planner*> chosen;
   for (const std::string& name : command.planners) chosen.push_back(&planner(name));
@@ -25,16 +32,25 @@ void run(const CompareCommand& command) {
   static_cast<void>(plan_options(command.survey, {}));
   static_cast<void>(score_options(command.survey));
   const auto site = load_site(command.site, vehicle_of(command.survey));
+  note_reach(*site, command.survey);
   print_notes(*site, command.output.quiet);
+  check_folder(command.output.folder);
   const Provenance provenance =
       provenance_of("compare", command.site, command.survey, site->imported.input_hash);
   const std::filesystem::path& folder = command.output.folder;
+  // A run that is cut short must not leave the page of an older one beside its own results.
+  remove_old(folder, {"compare.json", "report.html"});
   std::vector<PlannedSurvey> surveys;
   auto json = nlohmann::ordered_json::array();
   {
     const Scorer scorer(*site, command.survey, command.output.quiet);
     for (const Planner* p : chosen) {
-      surveys.push_back(plan_and_score(*p, *site, command.survey, scorer));
+      try {
+        surveys.push_back(plan_and_score(*p, *site, command.survey, scorer));
+      } catch (const InvalidInput& e) {
+        leave_out(*p, e, *site, surveys.empty() && p == chosen.back());
+        continue;
+      }
       const PlannedSurvey& survey = surveys.back();
       write_survey(folder / survey.planner, survey, *site, command.survey, provenance);
       json.push_back(nlohmann::ordered_json::parse(

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 #include "apps/adapt.h"
 #include "apps/commands.h"
@@ -17,6 +18,18 @@ constexpr int kUsageError = 2;
 int complain(const char* what, int code) {
   fmt::print(stderr, "swathplan: {}\n", what);
   return code;
+}
+
+/// @throws UsageError for a first word that is no command, which CLI11 would not name.
+void check_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->check_name(argv[1])) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw swathplan::UsageError(
+      fmt::format("'{}' is not a command; choose one of {}", argv[1], names));
 }
 
 }  // namespace
@@ -34,6 +47,7 @@ int main(int argc, char** argv) {
   swathplan::add_score_command(app);
   swathplan::add_adapt_command(app);
   try {
+    check_command(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : kUsageError;

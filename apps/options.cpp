@@ -98,6 +98,11 @@ void require(bool good, const char* option, double value, const char* rule) {
   }
 }
 
+void require_ping_spacing(double metres) {
+  require(metres > 0.0 && metres <= 100.0, "--ping-spacing", metres,
+          "must be above 0 and at most 100 metres");
+}
+
 }  // namespace
 
 ImportOptions import_options(const SiteOptions& o) {
@@ -185,7 +190,7 @@ PlanOptions plan_options(const SurveyOptions& o, const Frame& frame) {
   if (o.face_size) require(*o.face_size > 0.0, "--face-size", *o.face_size, "must be above 0");
   result.faces = o.faces == "quad" ? FaceShape::quad : FaceShape::triangle;
   result.face_size = o.face_size;
-  require(o.ping_spacing_m > 0.0, "--ping-spacing", o.ping_spacing_m, "must be above 0 metres");
+  require_ping_spacing(o.ping_spacing_m);
   result.ping_spacing_m = o.ping_spacing_m;
   result.threads = o.threads;
   result.bands = bands(o.depth_bands);
@@ -198,7 +203,8 @@ PlanOptions plan_options(const SurveyOptions& o, const Frame& frame) {
   result.run_out_m = o.run_out_m;
   if (!o.start.empty()) result.start = start_point(o.start, frame);
   if (o.heading_deg) {
-    require(true, "--heading", *o.heading_deg, "must be a number of degrees");
+    require(*o.heading_deg >= 0.0 && *o.heading_deg < 360.0, "--heading", *o.heading_deg,
+            "must be at least 0 and under 360 degrees");
     result.heading = Angle::degrees(*o.heading_deg);
   }
   result.lines = o.lines == "straight" ? LineSource::straight
@@ -229,7 +235,7 @@ PlanOptions plan_options(const SurveyOptions& o, const Frame& frame) {
 ScoreOptions score_options(const SurveyOptions& o) {
   ScoreOptions result;
   require(o.resolution_m > 0.0, "--resolution", o.resolution_m, "must be above 0 metres");
-  require(o.ping_spacing_m > 0.0, "--ping-spacing", o.ping_spacing_m, "must be above 0 metres");
+  require_ping_spacing(o.ping_spacing_m);
   require(o.holiday_m2 >= 0.0, "--holiday", o.holiday_m2, "must be 0 square metres or more");
   if (o.threads < 0) throw UsageError(fmt::format("--threads {}; must be 0 or more", o.threads));
   result.resolution_m = o.resolution_m;
@@ -285,7 +291,7 @@ Provenance provenance_of(const std::string& command, const SiteOptions& site,
   add("sonar", sonar.name);
   add("beams", static_cast<std::int64_t>(sonar.beams));
   add("beam_spacing", o.beam_spacing);
-  add("max_opening_deg", sonar.max_opening.deg());
+  add("max_opening_deg", tidy_degrees(sonar.max_opening));
   add("vehicle", vehicle.name);
   add("draft_m", vehicle.draft_m);
   add("under_keel_margin_m", vehicle.under_keel_margin_m);
@@ -300,8 +306,8 @@ Provenance provenance_of(const std::string& command, const SiteOptions& site,
   if (vehicle.power_w) add("power_w", *vehicle.power_w);
   add("nodata", o.nodata);
   add("lateral_sigma_m", score.noise.lateral_sigma_m);
-  add("heading_sigma_deg", score.noise.heading_sigma.deg());
-  add("roll_sigma_deg", score.noise.roll_sigma.deg());
+  add("heading_sigma_deg", tidy_degrees(score.noise.heading_sigma));
+  add("roll_sigma_deg", tidy_degrees(score.noise.roll_sigma));
   add("heave_sigma_m", score.noise.heave_sigma_m);
   add("holiday_m2", o.holiday_m2);
   if (command != "score") {

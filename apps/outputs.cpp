@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "io/atomic_file.h"
 #include "io/coverage_raster.h"
 #include "io/holidays_geojson.h"
 #include "io/inspection.h"
@@ -51,9 +52,37 @@ void add_regions(const Plan& plan, ReportSite& site) {
 
 }  // namespace
 
+void check_folder(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::filesystem::path made;  // the topmost folder that is not there yet
+  for (std::filesystem::path p = std::filesystem::absolute(folder, ignored);
+       !p.empty() && !std::filesystem::exists(p, ignored) && p != p.parent_path();
+       p = p.parent_path()) {
+    made = p;
+  }
+  const std::filesystem::path probe = folder / ".swathplan-probe";
+  write_text_atomically(probe, "");
+  std::filesystem::remove(probe, ignored);
+  if (!made.empty()) std::filesystem::remove_all(made, ignored);
+}
+
+void remove_old(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(folder / name, error)) {
+      std::filesystem::remove(folder / name, error);
+    }
+  }
+}
+
 void write_survey(const std::filesystem::path& folder, const PlannedSurvey& survey,
                   const Site& site, const SurveyOptions& options, const Provenance& provenance) {
   const Frame& frame = site.seafloor().frame;
+  // Left by a run on other data: with a CRS where this has none, or without.
+  remove_old(folder,
+             frame.crs_wkt.empty()
+                 ? std::vector<std::string>{"route.geojson", "holidays.geojson"}
+                 : std::vector<std::string>{"route.local.geojson", "holidays.local.geojson"});
   write_route_csv(folder / "route.csv", survey.plan.route, frame);
   write_route_geojson(folder, survey.plan.route, frame);
   write_score_json(folder / "score.json", survey.planner, survey.scored.score, provenance);

@@ -7,6 +7,12 @@
 
 namespace swathplan {
 
+/// Checks that the folder for results can be made and written to, before the work of planning;
+/// leaves all as it was. @throws InvalidInput if not.
+void check_folder(const std::filesystem::path& folder);
+/// Removes files of an earlier run, those that are there.
+void remove_old(const std::filesystem::path& folder, const std::vector<std::string>& names);
+
 /// Writes route, score, plan, coverage and holidays of one survey into `folder`.
 void write_survey(const std::filesystem::path& folder, const PlannedSurvey& survey,
                   const Site& site, const SurveyOptions& options, const Provenance& provenance);

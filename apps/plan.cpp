@@ -20,7 +20,9 @@ void run(const PlanCommand& command) {
   static_cast<void>(plan_options(command.survey, {}));
   static_cast<void>(score_options(command.survey));
   const auto site = load_site(command.site, vehicle_of(command.survey));
+  note_reach(*site, command.survey);
   print_notes(*site, command.output.quiet);
+  check_folder(command.output.folder);
   const Provenance provenance =
       provenance_of("plan", command.site, command.survey, site->imported.input_hash);
   std::vector<PlannedSurvey> surveys;

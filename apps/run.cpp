@@ -21,7 +21,42 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+void check_scale(const Site& site, const SurveyOptions& options) {
+  const Vec2 size = extent(site.survey_area).size();
+  if (options.resolution_m > size.maxCoeff()) {
+    throw UsageError(
+        fmt::format("--resolution {:g}; the survey area of {:.1f} x {:.1f} m is smaller "
+                    "than one such cell",
+                    options.resolution_m, size.x(), size.y()));
+  }
+  const Sonar sonar = sonar_of(options);
+  const double shoalest = depth_range(site.seafloor()).min;
+  if (shoalest > sonar.max_range_m) {
+    throw InvalidInput(fmt::format(
+        "the seafloor lies {:.0f} m deep or more, beyond the range of the sonar {} ({:g} m): check "
+        "--z-unit and --water-level, or choose another --sonar",
+        shoalest, sonar.name, sonar.max_range_m));
+  }
+}
+
 }  // namespace
+
+void note_reach(Site& site, const SurveyOptions& options) {
+  const PlanOptions how = plan_options(options, site.seafloor().frame);
+  const double width = footprint_width_m(how);
+  const double depth = depth_range(site.seafloor()).mean - how.vehicle.draft_m;
+  const double reach = 2.0 * depth * tan(how.sonar.max_opening / 2.0);
+  if (reach >= width) return;
+  site.notes.push_back(fmt::format(
+      "a footprint width of {:.4g} m ({} beams, cells of {:g} m) is more than a fan of {:g} "
+      "degrees "
+      "sweeps at the mean depth ({:.4g} m): back-and-forth and multi-depth lines that far apart "
+      "leave "
+      "gaps, and length ratios count in swaths that cannot be had; finer cells (--resolution) "
+      "bring "
+      "lines closer",
+      width, how.sonar.beams, options.resolution_m, how.sonar.max_opening.deg(), reach));
+}
 
 const std::vector<Planner>& planners() {
   static const std::vector<Planner> list{
@@ -51,8 +86,9 @@ Scorer::Scorer(const Site& site, const SurveyOptions& options, bool quiet)
       scene_(site.seafloor(), score_options_.nodata),
       ground_{&site.seafloor(), site.depths.get(), &scene_, site.survey_area, site.water},
       quiet_(quiet) {
-  // A grid that would not fit is refused before any planner works for it.
+  // What cannot be scored is refused before any planner works for it.
   static_cast<void>(grid_size(site.survey_area, options.resolution_m));
+  check_scale(site, options);
 }
 
 ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
@@ -78,6 +114,13 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
     plan.notes.push_back(
         fmt::format("--start {} is not in safe water; the route begins at {:.1f},{:.1f}",
                     options.start, first.x(), first.y()));
+  }
+  if (plan.route.waypoints.size() < 2) {
+    throw InvalidInput(
+        fmt::format("{}: no line of it fits into '{}' at a footprint width of {:.4g} m ({} beams x "
+                    "--resolution {:g}); use finer cells or another --planner",
+                    planner.name, site.imported.file, footprint_width_m(how), how.sonar.beams,
+                    how.resolution_m));
   }
   const double planning = seconds_since(start);
   const auto planned = std::chrono::steady_clock::now();

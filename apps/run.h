@@ -27,7 +27,13 @@ struct PlannedSurvey {
   double planning_seconds = 0.0, scoring_seconds = 0.0;
 };
 
+/// Notes what the survey asks of the sonar that it cannot do: a footprint width that its fan does
+/// not sweep.
+void note_reach(Site& site, const SurveyOptions& options);
+
 /// What routes of one command are scored on, built once.
+/// @throws UsageError for cells larger than the area or too many of them; InvalidInput for a
+/// seafloor beyond the sonar's range.
 class Scorer {
  public:
   Scorer(const Site& site, const SurveyOptions& options, bool quiet);

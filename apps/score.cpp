@@ -66,6 +66,7 @@ void run(const ScoreCommand& command) {
   const Vehicle vehicle = vehicle_of(command.survey);
   const auto site = load_site(command.site, vehicle);
   print_notes(*site, command.output.quiet);
+  check_folder(command.output.folder);
   const Provenance provenance =
       provenance_of("score", command.site, command.survey, site->imported.input_hash);
   const ImportedRoute route =

@@ -86,7 +86,10 @@ void add_turns(const std::vector<Vec2>& points, double smallest_radius_m, RouteF
     const double tangent = std::tan(0.5 * std::abs(angle));
     if (tangent > 0.0) {
       const double half = 0.5 * std::min(before, after);
-      figures.min_turn_radius_m = std::min(figures.min_turn_radius_m, half / tangent);
+      const double radius = half / tangent;
+      if (radius < kStraightRadiusM) {
+        figures.min_turn_radius_m = std::min(figures.min_turn_radius_m, radius);
+      }
       if (half < (1.0 - kTightShare) * smallest_radius_m * tangent) {
         // As much path as a turn of that radius takes for this bend, if there is so much.
         figures.tight_turn_m +=
@@ -113,18 +116,30 @@ double outside_m(const std::vector<Vec2>& points, const Area& water) {
   return sum;
 }
 
-double least_depth(const std::vector<Vec2>& points, const DepthQuery& depths) {
-  double least = kInfinity;
-  const auto look = [&](const Vec2& p) {
-    if (const auto depth = depths.depth(p)) least = std::min(least, *depth);
+struct DepthsBelow {
+  double least_m = kInfinity;
+  double unknown_m = 0.0;  // path outside the water and without a depth
+};
+
+DepthsBelow depths_below(const std::vector<Vec2>& points, const Area& water,
+                         const DepthQuery& depths) {
+  const AreaQuery query(water);
+  DepthsBelow below;
+  // Each look stands for `length` metres of path.
+  const auto look = [&](const Vec2& p, double length) {
+    if (const auto depth = depths.depth(p)) {
+      below.least_m = std::min(below.least_m, *depth);
+    } else if (!query.contains(p)) {
+      below.unknown_m += length;
+    }
   };
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Vec2 way = points[i + 1] - points[i];
     const double steps = std::ceil(way.norm() / kDepthStepM);
-    for (double k = 0; k < steps; ++k) look(points[i] + k / steps * way);
+    for (double k = 0; k < steps; ++k) look(points[i] + k / steps * way, way.norm() / steps);
   }
-  if (!points.empty()) look(points.back());
-  return least;
+  if (!points.empty()) look(points.back(), 0.0);
+  return below;
 }
 
 }  // namespace
@@ -150,7 +165,10 @@ RouteFigures route_figures(const Route& route, const Vehicle& vehicle, const Are
   figures.shared_stretches = meetings.shared_stretches;
   figures.shared_m = meetings.shared_m;
   figures.outside_water_m = outside_m(points, water);
-  figures.min_under_keel_m = least_depth(points, depths) - vehicle.draft_m;
+  const DepthsBelow below = depths_below(points, water, depths);
+  figures.unknown_depth_m = std::min(below.unknown_m, figures.outside_water_m);
+  figures.min_under_keel_m =
+      figures.unknown_depth_m > 0.0 ? kInfinity : below.least_m - vehicle.draft_m;
   return figures;
 }
 

@@ -23,14 +23,18 @@ struct RouteFigures {
   double total_turning_deg = 0.0;  ///< sum of all changes of course
   /// Smallest radius that a waypoint asks for: that of the arc which touches both of its segments
   /// and begins in the middle of the shorter one. On waypoints of a curve it is the curve's radius.
-  /// Infinite for a straight route, 0 where the route turns back on itself.
+  /// Infinite for a straight route (bends wider than kStraightRadiusM come from rounding), 0 where
+  /// the route turns back on itself.
   double min_turn_radius_m = 0.0;
   std::size_t self_crossings = 0;    ///< places, see mesh/path_meetings.h
   std::size_t shared_stretches = 0;  ///< places where the path runs along itself
   double shared_m = 0.0;             ///< metres sailed along earlier stretches
   double outside_water_m = 0.0;      ///< path outside the water or inside no-go
-  double min_under_keel_m = 0.0;  ///< least depth below the path less the draft; infinite: no data
-  double duration_s = 0.0;        ///< length over each leg's speed
+  double unknown_depth_m = 0.0;  ///< of that, where the data hold no depth: land, or beyond them
+  /// Least depth below the path less the draft; infinite where none is known: no data at all, or
+  /// the path leaves the water over ground without a depth (unknown_depth_m).
+  double min_under_keel_m = 0.0;
+  double duration_s = 0.0;  ///< length over each leg's speed
   std::map<std::string, double> duration_by_kind_s;
   std::map<int, double> duration_by_line_s;  ///< line number -> seconds
   double contingency_s = 0.0;                ///< allowance: the vehicle's share of the duration
@@ -44,6 +48,7 @@ struct RouteFigures {
 /// A bend counts as tight when its radius falls short of the vehicle's by more than this share:
 /// points written in millimetres bend by rounding.
 inline constexpr double kTightShare = 0.01;
+inline constexpr double kStraightRadiusM = 1e5;
 inline constexpr double kTurnDeg = 30.0;
 inline constexpr double kSharpTurnDeg = 90.0;
 /// Bends to the same side no farther apart than this are one curve, metres of path.

@@ -32,8 +32,13 @@ GDALDatasetUniquePtr open(const fs::path& path) {
     throw InvalidInput(
         fmt::format("'{}' does not exist; check the name and the folder", path.string()));
   }
+  // Some formats are folders; a folder of anything else is a slip of the finger.
+  const bool folder = fs::is_directory(path, error);
   GDALAllRegister();
   GDALDatasetUniquePtr data(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
+  if (!data && folder) {
+    throw InvalidInput(fmt::format("'{}' is a folder; name the file in it", path.string()));
+  }
   if (!data) {
     throw InvalidInput(
         fmt::format("'{}' cannot be read as polygons{}; use GeoJSON, GeoPackage, Shapefile or KML",

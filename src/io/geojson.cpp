@@ -25,7 +25,7 @@ std::vector<std::string> geojson_positions(const std::vector<Vec2>& local, const
   out.reserve(local.size());
   for (std::size_t i = 0; i < local.size(); ++i) {
     const Vec2 p = conversion.known() ? lonlat[i] : frame.to_file(local[i]);
-    const int decimals = conversion.known() ? 9 : 6;  // 0.1 mm and a micrometre
+    const int decimals = conversion.known() ? 11 : 6;  // a micrometre: finer than curves need
     out.push_back(fmt::format("[{},{}]", decimal(p.x(), decimals), decimal(p.y(), decimals)));
   }
   return out;

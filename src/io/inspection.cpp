@@ -171,8 +171,7 @@ std::string inspection_text(const ImportedSeafloor& r) {
                    h.boundary_loops, h.boundary_loops == 1 ? "" : "s"));
   for (const std::string& note : r.notes) line("note", note);
   for (const std::string& warning : warnings_of(r)) line("WARNING", warning);
-  line("try", fmt::format("--resolution {} --depth-bands {} --safe-depth {}", s.resolution_m,
-                          s.depth_bands, s.safe_depth_m));
+  line("try", fmt::format("--resolution {} --depth-bands {}", s.resolution_m, s.depth_bands));
   line("", fmt::format("swaths of {:.4g} m, roughly {} lines, {:.3g} km (256 beams)", s.swath_m,
                        s.lines, s.line_km));
   return text;

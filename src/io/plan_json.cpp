@@ -85,9 +85,9 @@ Json sonar_json(const Sonar& s) {
   return {{"name", s.name},
           {"beams", s.beams},
           {"spacing", s.spacing == BeamSpacing::equiangular ? "equiangular" : "equidistant"},
-          {"beam_width_along_deg", s.beam_width_along.deg()},
-          {"beam_width_across_deg", s.beam_width_across.deg()},
-          {"max_opening_deg", s.max_opening.deg()},
+          {"beam_width_along_deg", tidy_degrees(s.beam_width_along)},
+          {"beam_width_across_deg", tidy_degrees(s.beam_width_across)},
+          {"max_opening_deg", tidy_degrees(s.max_opening)},
           {"max_ping_rate_hz", s.max_ping_rate_hz},
           {"max_range_m", s.max_range_m}};
 }

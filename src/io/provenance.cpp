@@ -1,6 +1,12 @@
+#include <cmath>
+
 #include "io/provenance_internal.h"
 
-namespace swathplan::internal {
+namespace swathplan {
+
+double tidy_degrees(Angle angle) { return std::round(angle.deg() * 1e9) / 1e9; }
+
+namespace internal {
 
 nlohmann::ordered_json to_json(const Provenance& provenance) {
   nlohmann::ordered_json options = nlohmann::ordered_json::object();
@@ -22,4 +28,5 @@ std::string json_text(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace swathplan::internal
+}  // namespace internal
+}  // namespace swathplan

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "mesh/angle.h"
+
 namespace swathplan {
 
 /// The value of an option as it was in force.
@@ -22,5 +24,8 @@ struct Provenance {
   /// In the order of the command line; a name carries its unit, as 'resolution_m'.
   std::vector<std::pair<std::string, OptionValue>> options;
 };
+
+/// Degrees for files: 120 and not 119.99999999999999, as angles come back from radians.
+[[nodiscard]] double tidy_degrees(Angle angle);
 
 }  // namespace swathplan

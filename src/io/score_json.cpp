@@ -72,6 +72,7 @@ void add_route(Json& json, const RouteFigures& route) {
   json["shared_stretches"] = route.shared_stretches;
   json["shared_m"] = route.shared_m;
   json["outside_water_m"] = route.outside_water_m;
+  json["unknown_depth_m"] = route.unknown_depth_m;
   json["min_under_keel_m"] = route.min_under_keel_m;
 }
 

@@ -12,8 +12,11 @@ namespace swathplan::internal {
 
 std::string read_text(const std::filesystem::path& path) {
   std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    throw InvalidInput(fmt::format("'{}' is a folder; name the file in it", path.string()));
+  }
   std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path, error)) {
+  if (!in) {
     throw InvalidInput(
         fmt::format("cannot read '{}': check the name and the permissions", path.string()));
   }

@@ -55,8 +55,11 @@ Plan best_placed(const Rows& rows, const PlanningGround& ground, const PlanOptio
   std::vector<Plan> plans;
   std::vector<Outcome> outcomes;
   std::vector<double> shifts;
+  const std::size_t lines = lines_of(rows, options, 0.0).size();
   for (const double shift : kShifts) {
-    Plan plan = sailed(lines_of(rows, options, shift), rows, ground, options);
+    const auto shifted = lines_of(rows, options, shift);
+    if (shifted.size() < lines) continue;  // a row has left the area
+    Plan plan = sailed(shifted, rows, ground, options);
     if (!plans.empty() && infeasible_points(plan) > infeasible_points(plans.front())) continue;
     outcomes.push_back(simulated_hits(plan.route, ground, options));
     plans.push_back(std::move(plan));

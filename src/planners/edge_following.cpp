@@ -122,27 +122,31 @@ std::vector<SurveyCurve> edge_following_lines(const SweptGround& ground, const A
   return EdgeFollower(ground, lines_in, options).run(wall);
 }
 
-Plan plan_edge_following(const PlanningGround& ground, const PlanOptions& options) {
-  check(options);
-  LineWorkshop shop(ground, options);
-  const std::vector<float>& width = shop.width(kGap);
-  const SweptGround swaths(shop.raster(), width, options.vehicle.draft_m);
-  const double tolerance = kWallTolerance * footprint_width_m(options);
+namespace {
+
+std::vector<SurveyCurve> pieces_from(const FieldWall& wall, const SweptGround& swaths,
+                                     const LineWorkshop& shop) {
+  std::vector<SurveyCurve> lines;
+  for (const SurveyCurve& line : edge_following_lines(swaths, shop.lines_in(), wall,
+                                                      {.margin = shop.options().lines_margin})) {
+    for (SurveyCurve& piece : cut_to(splined(line, kFieldParts), shop.lines_in())) {
+      if (piece.points.size() > 2) lines.push_back(std::move(piece));
+    }
+  }
+  return lines;
+}
+
+/// Lines of one of the separate waters, from the wall that the simulator likes best, else the
+/// first.
+std::vector<SurveyCurve> lines_of_water(const Polygon& water, const SweptGround& swaths,
+                                        const std::vector<float>& width, LineWorkshop& shop) {
+  const double tolerance = kWallTolerance * footprint_width_m(shop.options());
   std::vector<SurveyCurve> best;
   double best_worth = 0.0;
-  for (const FieldWall& wall : long_walls(ground.survey_area, tolerance, kWalls)) {
-    std::vector<SurveyCurve> lines;
-    for (const SurveyCurve& line :
-         edge_following_lines(swaths, shop.lines_in(), wall, {.margin = options.lines_margin})) {
-      for (SurveyCurve& piece : cut_to(splined(line, kFieldParts), shop.lines_in())) {
-        if (piece.points.size() > 2) lines.push_back(std::move(piece));
-      }
-    }
+  for (const FieldWall& wall : long_walls({water}, tolerance, kWalls)) {
+    std::vector<SurveyCurve> lines = pieces_from(wall, swaths, shop);
     if (lines.empty()) continue;
-    if (ground.scene == nullptr) {
-      best = std::move(lines);
-      break;
-    }
+    if (shop.ground().scene == nullptr) return lines;
     constexpr int kCoarse = 2;
     const Outcome outcome = shop.estimate(lines, width, kAngles, kCoarse, {});
     const double worth = outcome.cover_pct - kWorthPerRatio * outcome.length_ratio;
@@ -151,15 +155,36 @@ Plan plan_edge_following(const PlanningGround& ground, const PlanOptions& option
       best_worth = worth;
     }
   }
-  if (best.empty()) {
+  return best;
+}
+
+}  // namespace
+
+Plan plan_edge_following(const PlanningGround& ground, const PlanOptions& options) {
+  check(options);
+  LineWorkshop shop(ground, options);
+  const std::vector<float>& width = shop.width(kGap);
+  const SweptGround swaths(shop.raster(), width, options.vehicle.draft_m);
+  std::vector<SurveyCurve> lines;
+  Plan plan;
+  for (const Polygon& water : ground.survey_area) {
+    const auto here = lines_of_water(water, swaths, width, shop);
+    lines.insert(lines.end(), here.begin(), here.end());
+    if (here.empty()) {
+      const Vec2 at = ground.seafloor->frame.to_file(inner_point({water}));
+      plan.notes.push_back(
+          fmt::format("no line fits into the water of {:.0f} m2 about ({:.1f}, {:.1f})",
+                      area_m2({water}), at.x(), at.y()));
+    }
+  }
+  if (lines.empty()) {
     throw InvalidInput(
         "edge-following: no survey line fits into the water of the survey area; check --area, "
         "--no-go and the vehicle's draft and clearance");
   }
-  BuiltRoute built = shop.build(best, width, kAngles);
-  Plan plan;
+  BuiltRoute built = shop.build(lines, width, kAngles);
   plan.route = std::move(built.route);
-  plan.notes = std::move(built.notes);
+  plan.notes.insert(plan.notes.end(), built.notes.begin(), built.notes.end());
   return plan;
 }
 

@@ -124,6 +124,28 @@ TEST(RouteFigures, LeastWaterUnderTheKeelIsFoundBetweenWaypoints) {
   const RouteFigures nowhere = route_figures(route_through({{-9, -9}, {-5, -9}}, kFan), {},
                                              rectangle(0, 0, 100, 100), depths, 1, 1);
   EXPECT_TRUE(std::isinf(nowhere.min_under_keel_m));
+  EXPECT_NEAR(nowhere.unknown_depth_m, 4.0, 1e-9);
+}
+
+// Known water at both ends says nothing of the land between.
+TEST(RouteFigures, APathOverLandHasNoLeastWaterUnderTheKeel) {
+  Seafloor s = flat(100, 100, 10);
+  std::erase_if(s.faces, [&](const auto& f) { return std::abs(s.vertices[f[0]].x() - 50) < 10; });
+  const DepthQuery depths(s);
+  const Area water = unite(rectangle(0, 0, 38, 100), rectangle(62, 0, 100, 100));
+  const auto over = [&](const Area& where) {
+    return route_figures(route_through({{20, 50}, {80, 50}}, kFan), {}, where, depths, 1, 1);
+  };
+  EXPECT_TRUE(std::isinf(over(water).min_under_keel_m));
+  EXPECT_NEAR(over(water).unknown_depth_m, 20.0, 3.0);
+  // Where the boat may run out beyond the data, that is no finding.
+  EXPECT_NEAR(over(rectangle(0, 0, 100, 100)).min_under_keel_m, 9.7, 1e-9);
+  EXPECT_EQ(over(rectangle(0, 0, 100, 100)).unknown_depth_m, 0.0);
+}
+
+TEST(RouteFigures, BendsOfRoundingLeaveARouteStraight) {
+  const RouteFigures f = figures(route_through({{0, 0}, {40, 1e-13}, {80, 0}}, kFan));
+  EXPECT_TRUE(std::isinf(f.min_turn_radius_m));
 }
 
 TEST(RouteFigures, CrossingsOfTheRouteWithItself) {

@@ -47,7 +47,7 @@ function listLimits() {
   const f = plan.figures;
   $('limits-sum').textContent = [
     plan.violations.count
-      ? `${f.infeasible_legs} infeasible legs (${short(f.infeasible_m)}), ${short(f.outside_water_m)} outside ` +
+      ? `${f.infeasible_legs} infeasible leg${f.infeasible_legs === 1 ? '' : 's'} (${short(f.infeasible_m)}), ${short(f.outside_water_m)} outside ` +
         `safe water, ${short(f.tight_turn_m)} tighter than the vehicle turns.`
       : 'The path stays in safe water and bends no tighter than the vehicle turns.',
     cutOff.count

@@ -280,6 +280,7 @@ const figures = [
   ['Self-crossings', 'self_crossings', count, 'low'],
   ['Path along earlier stretches of itself', 'shared_m', long, 'low'],
   ['Path outside the water', 'outside_water_m', long, 'low', (v) => v > 0],
+  ['of it over land or unknown ground', 'unknown_depth_m', long, 'low', (v) => v > 0],
   ['Least water under the keel', 'min_under_keel_m', short, 'high', (v) => v < 0],
   ['Planning time', 'planning_s', time, ''],
 ];
