@@ -150,7 +150,8 @@ void add_planning_options(CLI::App& command, SurveyOptions& o) {
       ->group(group);
   command
       .add_option("--smooth", o.smooth,
-                  "NUC, MDNUC: none (round the skeleton's corners) or ipopt (smooth the path)")
+                  "none (arcs and straights) or ipopt: smooth the joins between lines, so that "
+                  "curvature changes gradually, and the skeleton's path of NUC and MDNUC")
       ->check(CLI::IsMember({"none", "ipopt"}))
       ->capture_default_str()
       ->group(group);

@@ -16,8 +16,6 @@
 namespace swathplan {
 namespace {
 
-/// A metre taken off a line costs this much more than a metre of way: the line is what is wanted.
-constexpr double kLineWorth = 2.0;
 /// Lines are shortened in these steps, in radii: fine ones up to a little over a radius, which a
 /// quarter turn at the water's edge needs; and up to kMostCut.
 constexpr double kFineStep = 1.0 / 16.0;
@@ -26,6 +24,8 @@ constexpr double kCutStep = 0.25;
 constexpr double kMostCut = 4.0;
 /// Times as many poses as else that the last search may take.
 constexpr int kPatience = 4;
+/// ... and the part of them that the search for a wider join may.
+constexpr int kHaste = 4;
 
 Pose turned_back(const Pose& pose) { return {pose.position, -pose.course}; }
 
@@ -139,12 +139,13 @@ struct Connector::Impl {
     return true;
   }
 
-  [[nodiscard]] std::vector<Cut> sides(const std::vector<Vec2>& line, bool after) const {
+  [[nodiscard]] std::vector<Cut> sides(const std::vector<Vec2>& line, bool after,
+                                       const ConnectOptions& how) const {
     std::vector<Vec2> there = line;
     if (after) std::reverse(there.begin(), there.end());
     const LinePoses poses(there);
     if (poses.is_point()) return any_course(there.back());
-    std::vector<Cut> result = cuts(poses, options, water);
+    std::vector<Cut> result = cuts(poses, how, water);
     if (after) {
       for (Cut& cut : result) cut.pose = turned_back(cut.pose);
     }
@@ -152,16 +153,21 @@ struct Connector::Impl {
   }
 
   [[nodiscard]] std::optional<Connection> by_curve(const std::vector<Cut>& from,
-                                                   const std::vector<Cut>& to) const;
+                                                   const std::vector<Cut>& to,
+                                                   const PoseSearchOptions& how) const;
   [[nodiscard]] std::optional<Connection> by_way(const std::vector<Cut>& from,
-                                                 const std::vector<Cut>& to, bool in_sight) const;
-  [[nodiscard]] std::vector<Cut> ones_with_room(const std::vector<Cut>& all, bool leaving) const;
-  [[nodiscard]] std::vector<Vec2> written(const std::vector<Pose>& poses) const;
+                                                 const std::vector<Cut>& to, bool in_sight,
+                                                 PoseSearchOptions how) const;
+  [[nodiscard]] std::vector<Cut> ones_with_room(const std::vector<Cut>& all, bool leaving,
+                                                const PoseSearchOptions& how) const;
+  [[nodiscard]] std::vector<Vec2> written(const std::vector<Pose>& poses,
+                                          const PoseSearchOptions& how) const;
 };
 
 /// The Dubins path that costs least with what it takes off the lines.
 std::optional<Connection> Connector::Impl::by_curve(const std::vector<Cut>& from,
-                                                    const std::vector<Cut>& to) const {
+                                                    const std::vector<Cut>& to,
+                                                    const PoseSearchOptions& how) const {
   struct Candidate {
     double cost;
     std::size_t a, b;
@@ -170,7 +176,7 @@ std::optional<Connection> Connector::Impl::by_curve(const std::vector<Cut>& from
   std::vector<Candidate> all;
   for (std::size_t a = 0; a < from.size(); ++a) {
     for (std::size_t b = 0; b < to.size(); ++b) {
-      for (const DubinsPath& path : dubins_paths(from[a].pose, to[b].pose, search.radius_m)) {
+      for (const DubinsPath& path : dubins_paths(from[a].pose, to[b].pose, how.radius_m)) {
         all.push_back(
             {path.length_m() + (kLineWorth - 1.0) * (from[a].off + to[b].off), a, b, path});
       }
@@ -179,25 +185,23 @@ std::optional<Connection> Connector::Impl::by_curve(const std::vector<Cut>& from
   std::stable_sort(all.begin(), all.end(),
                    [](const Candidate& x, const Candidate& y) { return x.cost < y.cost; });
   for (const Candidate& c : all) {
-    if (!stays_in_water(c.path, search)) continue;
-    return Connection{JoinKind::curve,
-                      c.path.points(curve_step_m(search.radius_m)),
-                      from[c.a].off,
-                      to[c.b].off,
-                      {}};
+    if (!stays_in_water(c.path, how)) continue;
+    return Connection{
+        JoinKind::curve, c.path.points(curve_step_m(how.radius_m)), from[c.a].off, to[c.b].off, {}};
   }
   return std::nullopt;
 }
 
 /// The poses from which a quarter turn, or as much straight on, stays in the water.
-std::vector<Cut> Connector::Impl::ones_with_room(const std::vector<Cut>& all, bool leaving) const {
+std::vector<Cut> Connector::Impl::ones_with_room(const std::vector<Cut>& all, bool leaving,
+                                                 const PoseSearchOptions& how) const {
   std::vector<Cut> result;
-  const double quarter = 0.5 * std::numbers::pi * search.radius_m;
+  const double quarter = 0.5 * std::numbers::pi * how.radius_m;
   for (const Cut& cut : all) {
     const Pose pose = leaving ? cut.pose : turned_back(cut.pose);
     for (const int turn : {0, 1, -1}) {
-      const DubinsPath out(pose, search.radius_m, {turn, 0, 0}, {quarter, 0, 0});
-      if (!stays_in_water(out, search)) continue;
+      const DubinsPath out(pose, how.radius_m, {turn, 0, 0}, {quarter, 0, 0});
+      if (!stays_in_water(out, how)) continue;
       result.push_back(cut);
       break;
     }
@@ -205,21 +209,24 @@ std::vector<Cut> Connector::Impl::ones_with_room(const std::vector<Cut>& all, bo
   return result;
 }
 
-std::vector<Vec2> Connector::Impl::written(const std::vector<Pose>& poses) const {
+std::vector<Vec2> Connector::Impl::written(const std::vector<Pose>& poses,
+                                           const PoseSearchOptions& how) const {
   std::vector<Vec2> points{poses.front().position};
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    const auto path = dubins_in_water(poses[i - 1], poses[i], search);
+    const auto path = dubins_in_water(poses[i - 1], poses[i], how);
     if (!path) return {};
-    const auto piece = path->points(curve_step_m(search.radius_m));
+    const auto piece = path->points(curve_step_m(how.radius_m));
     points.insert(points.end(), piece.begin() + 1, piece.end());
   }
   return points;
 }
 
 std::optional<Connection> Connector::Impl::by_way(const std::vector<Cut>& from,
-                                                  const std::vector<Cut>& to, bool in_sight) const {
-  const auto leave = ones_with_room(from, true);
-  const auto arrive = ones_with_room(to, false);
+                                                  const std::vector<Cut>& to, bool in_sight,
+                                                  PoseSearchOptions how) const {
+  const auto leave = ones_with_room(from, true, how);
+  const auto arrive = ones_with_room(to, false, how);
+  if (in_sight) how.most_poses *= kPatience;
   constexpr std::size_t kTries = 3;
   for (std::size_t k = 0; k < (in_sight ? 1 : kTries); ++k) {
     if (leave.empty() || arrive.empty()) break;
@@ -231,11 +238,9 @@ std::optional<Connection> Connector::Impl::by_way(const std::vector<Cut>& from,
     const auto to_go = [&](const Vec2& p) {
       return in_sight ? taut.to_go_in_sight(p, water) : taut.to_go(p);
     };
-    PoseSearchOptions how = search;
-    if (in_sight) how.most_poses *= kPatience;
     const auto poses = search_poses(a.pose, b.pose, to_go, how);
     if (!poses) continue;
-    std::vector<Vec2> points = written(*poses);
+    std::vector<Vec2> points = written(*poses, how);
     if (points.empty()) continue;
     return Connection{JoinKind::way, std::move(points), a.off, b.off, {}};
   }
@@ -249,12 +254,12 @@ Connector::Connector(Connector&&) noexcept = default;
 Connector& Connector::operator=(Connector&&) noexcept = default;
 
 Connection Connector::join(const std::vector<Vec2>& before, const std::vector<Vec2>& after) const {
-  const auto from = impl_->sides(before, false);
-  const auto to = impl_->sides(after, true);
-  if (auto found = impl_->by_curve(from, to)) return *found;
+  const auto from = impl_->sides(before, false, impl_->options);
+  const auto to = impl_->sides(after, true, impl_->options);
+  if (auto found = impl_->by_curve(from, to, impl_->search)) return *found;
   // The plain estimate is quick and nearly always enough.
   for (const bool in_sight : {false, true}) {
-    if (auto found = impl_->by_way(from, to, in_sight)) return *found;
+    if (auto found = impl_->by_way(from, to, in_sight, impl_->search)) return *found;
   }
   Connection none;
   const Vec2& a = before.back();
@@ -269,6 +274,20 @@ Connection Connector::join(const std::vector<Vec2>& before, const std::vector<Ve
                 "waters crosses land and is counted as outside the water",
                 at_text(a), at_text(b));
   return none;
+}
+
+std::optional<Connection> Connector::wider_join(const std::vector<Vec2>& before,
+                                                const std::vector<Vec2>& after,
+                                                double radius_m) const {
+  ConnectOptions lines = impl_->options;
+  PoseSearchOptions how = impl_->search;
+  lines.radius_m = radius_m;
+  how.radius_m = std::max(radius_m, how.radius_m);
+  how.most_poses /= kHaste;
+  const auto from = impl_->sides(before, false, lines);
+  const auto to = impl_->sides(after, true, lines);
+  if (auto found = impl_->by_curve(from, to, how)) return found;
+  return impl_->by_way(from, to, false, how);
 }
 
 std::vector<Vec2> Connector::curve(const Pose& from, const Pose& to) const {
@@ -288,7 +307,7 @@ bool Connector::in_water(const std::vector<Vec2>& points) const { return impl_->
 std::vector<Vec2> Connector::search(const Pose& from, const Pose& to) const {
   const auto to_go = [&](const Vec2& p) { return (p - to.position).norm(); };
   const auto poses = search_poses(from, to, to_go, impl_->search);
-  return poses ? impl_->written(*poses) : std::vector<Vec2>{};
+  return poses ? impl_->written(*poses, impl_->search) : std::vector<Vec2>{};
 }
 
 }  // namespace swathplan

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,11 @@ class Connector {
   /// that suits the join.
   [[nodiscard]] Connection join(const std::vector<Vec2>& before,
                                 const std::vector<Vec2>& after) const;
+  /// The same with turns of `radius_m`, not below the options'; empty where a quick search finds
+  /// none.
+  [[nodiscard]] std::optional<Connection> wider_join(const std::vector<Vec2>& before,
+                                                     const std::vector<Vec2>& after,
+                                                     double radius_m) const;
   /// The shortest Dubins path between two poses that stays in the water; empty if none does.
   [[nodiscard]] std::vector<Vec2> curve(const Pose& from, const Pose& to) const;
   /// True if the path stays in the water.
@@ -64,6 +70,8 @@ class Connector {
   std::unique_ptr<Impl> impl_;
 };
 
+/// A metre taken off a line costs this much more than a metre of way: the line is what is wanted.
+inline constexpr double kLineWorth = 2.0;
 /// Curves are written in chords of at most this many metres ...
 inline constexpr double kCurveStepM = 0.2;
 /// ... and this change of course.

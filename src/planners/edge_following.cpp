@@ -182,7 +182,7 @@ Plan plan_edge_following(const PlanningGround& ground, const PlanOptions& option
         "edge-following: no survey line fits into the water of the survey area; check --area, "
         "--no-go and the vehicle's draft and clearance");
   }
-  BuiltRoute built = shop.build(lines, width, kAngles);
+  BuiltRoute built = shop.finished(shop.build(lines, width, kAngles));
   plan.route = std::move(built.route);
   plan.notes.insert(plan.notes.end(), built.notes.begin(), built.notes.end());
   return plan;

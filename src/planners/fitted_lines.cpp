@@ -164,7 +164,7 @@ Plan unseen_plan(LineWorkshop& shop) {
           .value_or(best_azimuth(shop.ground().survey_area, footprint_width_m(shop.options())))
           .deg();
   c.lines = 0;
-  BuiltRoute built = build(c, shop);
+  BuiltRoute built = shop.finished(build(c, shop));
   Plan plan;
   plan.route = std::move(built.route);
   plan.notes = std::move(built.notes);
@@ -196,8 +196,9 @@ Plan plan_fitted_lines(const PlanningGround& ground, const PlanOptions& options)
   plan.chosen = picked.index;
   plan.chosen_why = picked.why;
   Finished& best = plans[kept[picked.index]];
-  plan.route = std::move(best.built.route);
-  plan.notes = std::move(best.built.notes);
+  BuiltRoute built = shop.finished(std::move(best.built));
+  plan.route = std::move(built.route);
+  plan.notes = std::move(built.notes);
   plan.notes.push_back(fmt::format("of {} choices, {} was picked: {}", plan.choices.size(),
                                    best.outcome.what, picked.why));
   return plan;

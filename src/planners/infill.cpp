@@ -4,43 +4,15 @@
 #include <limits>
 
 #include "planners/infill_passes_internal.h"
+#include "planners/route_stretches.h"
 
 namespace swathplan {
 namespace {
 
-/// A stretch of a route: a line, or the join after it as it stands.
-struct Stretch {
-  std::vector<Waypoint> points;
-  bool join = false;
-};
-
-std::vector<Stretch> stretches(const Route& route) {
-  std::vector<Stretch> result;
-  const auto& w = route.waypoints;
-  for (const Leg& leg : legs(route)) {
-    const LegKind kind = w[leg.first].kind;
-    Stretch s;
-    s.join = kind == LegKind::turn || kind == LegKind::transit;
-    s.points.assign(w.begin() + static_cast<std::ptrdiff_t>(leg.first),
-                    w.begin() + static_cast<std::ptrdiff_t>(leg.last));
-    if (!s.join) {
-      s.points.push_back(s.points.back());
-      s.points.back().position = w[leg.last].position;
-    }
-    const bool goes_on = !result.empty() && result.back().join == s.join;
-    if (goes_on && s.join) {
-      result.back().points.insert(result.back().points.end(), s.points.begin(), s.points.end());
-    } else {
-      result.push_back(std::move(s));
-    }
-  }
-  return result;
-}
-
 /// Stretches in the order they are sailed, with where a pass may go in between.
 class Itinerary {
  public:
-  Itinerary(std::vector<Stretch> stretches, const JoinCost& cost)
+  Itinerary(std::vector<RouteStretch> stretches, const JoinCost& cost)
       : stretches_(std::move(stretches)), cost_(cost) {}
 
   struct Place {
@@ -83,7 +55,7 @@ class Itinerary {
   [[nodiscard]] std::vector<std::vector<Waypoint>> runs() const {
     std::vector<std::vector<Waypoint>> result;
     bool after_join = false;
-    for (const Stretch& s : stretches_) {
+    for (const RouteStretch& s : stretches_) {
       if (s.join || after_join) {
         if (s.join && !result.empty()) result.back().pop_back();
         if (result.empty()) result.emplace_back();
@@ -134,7 +106,7 @@ class Itinerary {
     return length + (stretches_[before].points.front().position - points.back().position).norm();
   }
 
-  std::vector<Stretch> stretches_;
+  std::vector<RouteStretch> stretches_;
   const JoinCost& cost_;
 };
 
@@ -193,6 +165,7 @@ InfilledRoute infilled(const Route& route, const PlanningGround& ground, const P
     more.passes += result.passes;
     result = std::move(more);
   }
+  if (result.passes > 0) result.built = shop.finished(std::move(result.built));
   return result;
 }
 

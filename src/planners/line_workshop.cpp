@@ -8,10 +8,13 @@ namespace swathplan {
 LineWorkshop::LineWorkshop(const PlanningGround& ground, const PlanOptions& options)
     : ground_(ground),
       options_(options),
+      with_arcs_(options),
       raster_(ground),
       survey_area_(ground.survey_area),
       lines_in_(offset(ground.water, -kLineClearance)),
-      joins_(ground.water, options.vehicle.turn_radius_m) {}
+      joins_(ground.water, options.vehicle.turn_radius_m) {
+  with_arcs_.smooth.reset();
+}
 
 const std::vector<float>& LineWorkshop::width(double gap) {
   auto [it, fresh] = widths_.try_emplace(gap);
@@ -94,11 +97,19 @@ Outcome LineWorkshop::estimate(const std::vector<SurveyCurve>& lines,
 }
 
 BuiltRoute LineWorkshop::join(const std::vector<std::vector<Waypoint>>& lines) const {
-  RouteBuilder builder(ground_, options_);
+  RouteBuilder builder(ground_, with_arcs_);
   for (const auto& line : lines) builder.add_line(line);
-  BuiltRoute built;
-  built.route = builder.finish();
-  built.notes = builder.notes();
+  return builder.built();
+}
+
+BuiltRoute LineWorkshop::finished(BuiltRoute built) const {
+  if (!options_.smooth) return built;
+  BuiltRoute smooth = rejoined(built.route, ground_, options_);
+  built.route = std::move(smooth.route);
+  for (std::string& note : smooth.notes) {
+    const bool known = std::find(built.notes.begin(), built.notes.end(), note) != built.notes.end();
+    if (!known) built.notes.push_back(std::move(note));
+  }
   return built;
 }
 

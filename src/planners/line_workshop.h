@@ -14,12 +14,6 @@
 
 namespace swathplan {
 
-/// A route with what its joins had to say.
-struct BuiltRoute {
-  Route route;
-  std::vector<std::string> notes;
-};
-
 /// What all candidates of one area share: rasters, queries and the simulator. `ground` and
 /// `options` must outlive it.
 class LineWorkshop {
@@ -44,6 +38,8 @@ class LineWorkshop {
   [[nodiscard]] Outcome estimate(const std::vector<SurveyCurve>& lines,
                                  const std::vector<float>& width, const LineAnglesOptions& angles,
                                  int coarse, std::string what);
+  /// The route with its joins smoothed, if the options ask for it: candidates have arcs.
+  [[nodiscard]] BuiltRoute finished(BuiltRoute built) const;
   /// Opened lines joined in the order given.
   [[nodiscard]] BuiltRoute join(const std::vector<std::vector<Waypoint>>& lines) const;
 
@@ -66,6 +62,7 @@ class LineWorkshop {
                                                           const LineAnglesOptions& angles) const;
   const PlanningGround& ground_;
   const PlanOptions& options_;
+  PlanOptions with_arcs_;
   WaterRaster raster_;
   AreaQuery survey_area_, lines_in_;
   JoinCost joins_;

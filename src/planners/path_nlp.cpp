@@ -32,8 +32,8 @@ Vec2 combined(const NormConstraint& norm, const Number* x) {
 bool PathNlp::get_nlp_info(Index& n, Index& m, Index& nnz_jac, Index& nnz_hess,
                            IndexStyleEnum& style) {
   n = static_cast<Index>(2 * problem_.start.size());
-  m = static_cast<Index>(problem_.norms.size());
-  nnz_jac = 0;
+  m = static_cast<Index>(problem_.norms.size() + problem_.half_planes.size());
+  nnz_jac = static_cast<Index>(2 * problem_.half_planes.size());
   nnz_hess = 0;
   for (const LinearTerm& term : problem_.terms) {
     const auto k = static_cast<Index>(term.parts.size());
@@ -58,6 +58,10 @@ bool PathNlp::get_bounds_info(Index, Number* x_l, Number* x_u, Index, Number* g_
   for (const NormConstraint& norm : problem_.norms) {
     *g_l++ = norm.lower > 0.0 ? norm.lower : kNoBound;
     *g_u++ = norm.upper;
+  }
+  for (const HalfPlane& side : problem_.half_planes) {
+    *g_l++ = kNoBound;
+    *g_u++ = side.upper;
   }
   return true;
 }
@@ -91,6 +95,10 @@ bool PathNlp::eval_grad_f(Index n, const Number* x, bool, Number* gradient) {
 
 bool PathNlp::eval_g(Index, const Number* x, bool, Index, Number* g) {
   for (const NormConstraint& norm : problem_.norms) *g++ = combined(norm, x).squaredNorm();
+  for (const HalfPlane& side : problem_.half_planes) {
+    const auto at = 2 * static_cast<std::ptrdiff_t>(side.point);
+    *g++ = side.normal.dot(Vec2(x[at], x[at + 1]));
+  }
   return true;
 }
 
@@ -107,6 +115,17 @@ bool PathNlp::eval_jac_g(Index, const Number* x, bool, Index, Index, Index* row,
           *row++ = static_cast<Index>(c);
           *column++ = 2 * point + axis;
         }
+      }
+    }
+  }
+  for (std::size_t c = 0; c < problem_.half_planes.size(); ++c) {
+    const HalfPlane& side = problem_.half_planes[c];
+    for (const int axis : {0, 1}) {
+      if (values != nullptr) {
+        *values++ = side.normal[axis];
+      } else {
+        *row++ = static_cast<Index>(problem_.norms.size() + c);
+        *column++ = 2 * side.point + axis;
       }
     }
   }

@@ -21,12 +21,20 @@ struct NormConstraint {
   double lower = 0.0, upper = 0.0;
 };
 
-/// Points to be found: sums of squares of linear terms, boxes, and norms of differences. All second
-/// derivatives are constant.
+/// normal . point <= upper: the point stays on one side of a straight edge.
+struct HalfPlane {
+  int point = 0;
+  Vec2 normal = Vec2::UnitX();
+  double upper = 0.0;
+};
+
+/// Points to be found: sums of squares of linear terms, boxes, norms of differences, and
+/// half-planes (constraints in this order). All second derivatives are constant.
 struct PathProblem {
   std::vector<Vec2> start, low, high;  ///< one a point; low = high fixes it
   std::vector<LinearTerm> terms;
   std::vector<NormConstraint> norms;
+  std::vector<HalfPlane> half_planes;
 };
 
 /// The problem for Ipopt, with exact sparse derivatives.

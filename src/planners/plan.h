@@ -71,7 +71,8 @@ struct PlanOptions {
   /// regular triangle; of quads 0.3 of a side squared.
   std::optional<double> smallest_region_m2;
   Opening opening = Opening::region;
-  std::optional<SmoothOptions> smooth;  ///< NUC, MDNUC: smooth the skeleton; empty: round corners
+  /// Joins between lines, and the skeleton of NUC and MDNUC, are smoothed; empty: arcs.
+  std::optional<SmoothOptions> smooth;
   double run_in_m = 0.0;   ///< sailed straight before each line, not logged; < 0 shortens the line
   double run_out_m = 0.0;  ///< and behind it
   std::optional<Vec2> start;     ///< begin as near to this as the planner can

@@ -7,6 +7,7 @@
 
 #include "planners/even_bends.h"
 #include "planners/line_poses.h"
+#include "planners/route_stretches.h"
 #include "planners/steer.h"
 
 namespace swathplan {
@@ -78,7 +79,9 @@ RouteBuilder::RouteBuilder(const PlanningGround& ground, const PlanOptions& opti
       vehicle_(options.vehicle),
       run_in_(options.run_in_m),
       run_out_(options.run_out_m),
-      turn_reach_(2.0 * footprint_width_m(options)) {}
+      turn_reach_(2.0 * footprint_width_m(options)) {
+  if (options.smooth) smoother_.emplace(ground.water, connector_, vehicle_.turn_radius_m);
+}
 
 std::optional<Vec2> RouteBuilder::at() const {
   if (route_.waypoints.empty()) return std::nullopt;
@@ -136,7 +139,8 @@ void RouteBuilder::add_run(std::vector<Waypoint>& line, double metres, bool in) 
 void RouteBuilder::join_to(std::vector<Waypoint>& line) {
   std::vector<Waypoint> before(route_.waypoints.begin() + static_cast<std::ptrdiff_t>(line_begin_),
                                route_.waypoints.end());
-  const Connection way = connector_.join(positions(before), positions(line));
+  const Connection way = smoother_ ? smoother_->join(positions(before), positions(line))
+                                   : connector_.join(positions(before), positions(line));
   cut_end(before, way.off_before_m);
   cut_begin(line, way.off_after_m);
   const bool feasible = way.kind != JoinKind::infeasible;
@@ -166,13 +170,26 @@ void RouteBuilder::add_line(const std::vector<Waypoint>& points) {
   std::vector<Waypoint> line = steered_line(points);
   add_run(line, run_in_, true);
   add_run(line, run_out_, false);
+  append(std::move(line));
+}
+
+void RouteBuilder::append(std::vector<Waypoint> line) {
   if (!route_.waypoints.empty()) join_to(line);
   line_begin_ = route_.waypoints.size();
   route_.waypoints.insert(route_.waypoints.end(), line.begin(), line.end());
 }
 
+void RouteBuilder::append(const std::vector<Waypoint>& join, const std::vector<Waypoint>& line) {
+  auto& w = route_.waypoints;
+  if (!w.empty()) w.pop_back();
+  w.insert(w.end(), join.begin(), join.end());
+  line_begin_ = w.size();
+  w.insert(w.end(), line.begin(), line.end());
+}
+
 std::vector<std::string> RouteBuilder::notes() const {
   std::vector<std::string> all = notes_;
+  if (smoother_ && smoother_->tally().joins > 0) all.push_back(note(smoother_->tally()));
   if (loops_ > 0) {
     all.push_back(fmt::format(
         "{} turns of lines are tighter than {:g} m and are taken by a loop; mending tight turns "
@@ -201,6 +218,34 @@ Route RouteBuilder::finish() {
   }
   left_tight_ += even_bends(route_, vehicle_.turn_radius_m, connector_);
   return std::move(route_);
+}
+
+BuiltRoute RouteBuilder::built() {
+  Route route = finish();
+  return {std::move(route), notes()};
+}
+
+BuiltRoute rejoined(const Route& route, const PlanningGround& ground, const PlanOptions& options) {
+  RouteBuilder builder(ground, options);
+  std::vector<Waypoint> line, kept;
+  const auto put = [&] {
+    if (!line.empty()) kept.empty() ? builder.append(line) : builder.append(kept, line);
+    line.clear();
+    kept.clear();
+  };
+  for (const RouteStretch& s : stretches(route)) {
+    if (!s.join) {
+      if (!line.empty()) line.pop_back();
+      line.insert(line.end(), s.points.begin(), s.points.end());
+      continue;
+    }
+    put();
+    const bool feasible =
+        std::all_of(s.points.begin(), s.points.end(), [](const Waypoint& w) { return w.feasible; });
+    if (!feasible) kept = s.points;
+  }
+  put();
+  return builder.built();
 }
 
 }  // namespace swathplan

@@ -2,16 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <IpIpoptApplication.hpp>
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 
 #include "mesh/error.h"
 #include "planners/line_poses.h"
-#include "planners/path_nlp_internal.h"
 #include "planners/path_relaxation_internal.h"
+#include "planners/path_solver_internal.h"
 #include "planners/smooth_samples_internal.h"
 
 namespace swathplan {
@@ -28,13 +26,6 @@ constexpr double kRadiusShare = 0.97;
 /// Points at either end of a window that its neighbours hold.
 constexpr std::size_t kHeld = 2;
 constexpr int kMostIterations = 80;
-constexpr double kTolerance = 1e-3;
-/// Ipopt's barrier begins here: the skeleton is near the solution, a larger one leads away first.
-constexpr double kFirstBarrier = 1e-2;
-/// ... and the start is moved off its bounds by this share at most.
-constexpr double kBoundPush = 1e-2;
-/// Norms may miss their bounds by this share of the step squared.
-constexpr double kFeasible = 1e-6;
 
 /// The problem of the points [from, to) with the rest where it is.
 class Window {
@@ -136,63 +127,6 @@ class Window {
   PathProblem problem_;
 };
 
-std::string status_name(Ipopt::ApplicationReturnStatus status) {
-  switch (status) {
-    case Ipopt::Solve_Succeeded:
-      return "solved";
-    case Ipopt::Solved_To_Acceptable_Level:
-      return "solved to acceptable level";
-    case Ipopt::Infeasible_Problem_Detected:
-      return "infeasible";
-    case Ipopt::Maximum_Iterations_Exceeded:
-      return "iteration limit";
-    case Ipopt::Restoration_Failed:
-      return "restoration failed";
-    default:
-      return fmt::format("failed ({})", static_cast<int>(status));
-  }
-}
-
-struct Solved {
-  std::string status;
-  bool good = false;
-  std::vector<Vec2> points;
-};
-
-bool keeps_bounds(const PathProblem& problem, const std::vector<Vec2>& points) {
-  return points.size() == problem.start.size() &&
-         std::all_of(problem.norms.begin(), problem.norms.end(), [&](const NormConstraint& norm) {
-           Vec2 sum = Vec2::Zero();
-           for (const auto& [i, factor] : norm.parts) {
-             sum += factor * points[static_cast<std::size_t>(i)];
-           }
-           const double dust = kFeasible * std::max(1.0, norm.upper);
-           return sum.squaredNorm() >= norm.lower - dust && sum.squaredNorm() <= norm.upper + dust;
-         });
-}
-
-Solved solve(const PathProblem& problem) {
-  // Ipopt's linear solver keeps state of its own: one at a time in the whole process.
-  static std::mutex one_at_a_time;
-  const std::scoped_lock lock(one_at_a_time);
-  Ipopt::SmartPtr<PathNlp> nlp = new PathNlp(problem);
-  Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(false);
-  app->RethrowNonIpoptException(true);
-  app->Options()->SetIntegerValue("print_level", 0);
-  app->Options()->SetStringValue("sb", "yes");
-  app->Options()->SetIntegerValue("max_iter", kMostIterations);
-  app->Options()->SetNumericValue("tol", kTolerance);
-  app->Options()->SetNumericValue("bound_push", kBoundPush);
-  app->Options()->SetNumericValue("mu_init", kFirstBarrier);
-  app->Options()->SetNumericValue("bound_relax_factor", 0.0);
-  if (app->Initialize("") != Ipopt::Solve_Succeeded) return {"not started", false, {}};
-  const auto status = app->OptimizeTNLP(nlp);
-  bool good = status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level;
-  // Far enough, if not to the end: it keeps every bound.
-  if (status == Ipopt::Maximum_Iterations_Exceeded) good = keeps_bounds(problem, nlp->points());
-  return {status_name(status), good, nlp->points()};
-}
-
 void check(const SmoothOptions& o) {
   const auto require = [](bool good, const char* what, double value) {
     if (!good) throw UsageError(fmt::format("smoothing: {} {:g}; out of range", what, value));
@@ -215,7 +149,7 @@ void solve_windows(const Samples& s, const std::vector<Vec2>& wanted,
     while (pair > 0 && pairs[pair - 1].i >= from) --pair;
     while (pair < pairs.size() && pairs[pair].i < from) ++pair;
     for (; pair < pairs.size() && pairs[pair].i < to; ++pair) window.add_spacing(pairs[pair]);
-    const Solved solved = solve(window.problem());
+    const PathSolution solved = solved_by_ipopt(window.problem(), kMostIterations);
     ++result.windows;
     ++result.status[solved.status];
     const std::size_t settled = to == n ? n : to - o.overlap;

@@ -116,6 +116,28 @@ TEST(Plan, TheSameBytesForAnyNumberOfThreadsAndTwice) {
   }
 }
 
+TEST(Plan, SmoothsJoinsOfPlannersWithoutASkeletonAndSaysSo) {
+  const Folder folder;
+  for (const char* planner : {"back-and-forth", "multi-depth"}) {
+    SCOPED_TRACE(planner);
+    const std::string command =
+        "plan " + dataset("shaft.obj") + " --hit-only --quiet --planner " + planner;
+    ASSERT_EQ(folder.run(command + " -o arcs").code, 0);
+    ASSERT_EQ(folder.run(command + " --smooth ipopt -o smooth").code, 0);
+    const json plan = json_of(folder / "smooth" / "plan.json");
+    EXPECT_NE(plan.at("notes").dump().find("joins smoothed"), std::string::npos);
+    const json before = json_of(folder / "arcs" / "score.json");
+    const json after = json_of(folder / "smooth" / "score.json");
+    EXPECT_GE(after.at("min_turn_radius_m").get<double>(), 1.5);
+    EXPECT_EQ(after.at("outside_water_m").get<double>(), 0.0);
+    EXPECT_EQ(after.at("infeasible_legs"), before.at("infeasible_legs"));
+    EXPECT_NEAR(after.at("coverage_hit_pct").get<double>(),
+                before.at("coverage_hit_pct").get<double>(), 0.5);
+    EXPECT_FALSE(text_of(folder / "arcs" / "route.csv") ==
+                 text_of(folder / "smooth" / "route.csv"));
+  }
+}
+
 TEST(Compare, HoldsFourPlannersAgainstEachOther) {
   const Folder folder;
   const auto run =

@@ -27,6 +27,7 @@ PathProblem sample_problem() {
                    {{{5, 1.0}}, -0.7, 0.5},
                    {{{1, 0.6}, {0, 0.8}, {10, -0.8}, {11, -0.6}}, 1.5, 0.1}};
   problem.norms = {{{{0, 1.0}, {1, -2.0}, {2, 1.0}}, 0.0, 4.0}, {{{4, -1.0}, {5, 1.0}}, 0.5, 2.0}};
+  problem.half_planes = {{3, {0.6, -0.8}, 0.4}};
   return problem;
 }
 
@@ -89,7 +90,7 @@ TEST(PathNlp, JacobianMatchesFiniteDifferences) {
   const Eigen::MatrixXd exact = jacobian(nlp, shape, x);
   for (int i = 0; i < shape.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    std::vector<double> above(2), below(2);
+    std::vector<double> above(3), below(3);
     x[k] += kStep;
     nlp.eval_g(shape.n, x.data(), true, shape.m, above.data());
     x[k] -= 2.0 * kStep;
@@ -108,7 +109,7 @@ TEST(PathNlp, HessianMatchesFiniteDifferencesOfTheLagrangian) {
   const Shape shape(nlp);
   std::vector<double> x = flat(problem);
   const double factor = 0.7;
-  const Eigen::Vector2d lambda(1.3, -0.4);
+  const Eigen::Vector3d lambda(1.3, -0.4, 0.9);
   std::vector<int> row(static_cast<std::size_t>(shape.hess)), column(row);
   std::vector<double> value(row.size());
   nlp.eval_h(shape.n, nullptr, true, factor, shape.m, nullptr, true, shape.hess, row.data(),
@@ -143,11 +144,13 @@ TEST(PathNlp, HessianMatchesFiniteDifferencesOfTheLagrangian) {
 TEST(PathNlp, ANormIsBoundedBelowOnlyByMoreThanZero) {
   const PathProblem problem = sample_problem();
   PathNlp nlp(problem);
-  std::vector<double> x_low(12), x_high(12), low(2), high(2);
-  nlp.get_bounds_info(12, x_low.data(), x_high.data(), 2, low.data(), high.data());
+  std::vector<double> x_low(12), x_high(12), low(3), high(3);
+  nlp.get_bounds_info(12, x_low.data(), x_high.data(), 3, low.data(), high.data());
   EXPECT_LT(low[0], -1e19);  // Ipopt's infinity: 0 would be a barrier that bends straight stretches
   EXPECT_EQ(low[1], 0.5);
   EXPECT_EQ(high[0], 4.0);
+  EXPECT_LT(low[2], -1e19);
+  EXPECT_EQ(high[2], 0.4);
 }
 
 std::vector<Vec2> staircase(int steps) {
