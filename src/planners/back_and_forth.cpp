@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
-#include "planners/route_builder.h"
+#include "planners/row_order.h"
 #include "planners/simulated.h"
 #include "planners/survey_lines.h"
 
@@ -33,13 +34,18 @@ Plan sailed(const std::vector<SurveyLine>& lines, const Rows& rows, const Planni
             const PlanOptions& options) {
   Plan plan;
   plan.openings = {rows.fan.port + rows.fan.starboard};
-  RouteBuilder builder(ground, options);
-  int number = 1;
-  for (const SurveyLine& line : to_and_fro(lines, options.start)) {
-    builder.add_line(line_waypoints(line, number++, rows.fan, options));
-  }
-  plan.route = builder.finish();
-  plan.notes = builder.notes();
+  const double radius = options.vehicle.turn_radius_m;
+  const JoinCost cost(ground.water, radius);
+  BuiltRoute built = shorter_order(options, [&](const RowOrder& order) {
+    RouteBuilder builder(ground, options);
+    int number = 1;
+    for (const SurveyLine& line : ordered(lines, order, cost, radius, options.start)) {
+      builder.add_line(line_waypoints(line, number++, rows.fan, options));
+    }
+    return builder.built();
+  });
+  plan.route = std::move(built.route);
+  plan.notes = std::move(built.notes);
   if (options.opening == Opening::ping) plan.route = opened_per_ping(plan.route, ground, options);
   return plan;
 }

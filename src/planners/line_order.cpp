@@ -15,7 +15,7 @@ constexpr std::size_t kLongestRun = 3;
 /// j. Sailing all backwards costs the same: cost(i, j) = cost(j ^ 1, i ^ 1).
 class Tour {
  public:
-  Tour(const std::vector<LineEnds>& lines, const JoinCost& cost, const std::optional<Vec2>& start)
+  Tour(const std::vector<LineEnds>& lines, const LineCost& cost, const std::optional<Vec2>& start)
       : n_(lines.size()), cost_(4 * n_ * n_, 0.0), first_(2 * n_, 0.0) {
     const auto begin = [&](std::size_t i) {
       return i % 2 == 0 ? lines[i / 2].from : lines[i / 2].to;
@@ -159,7 +159,7 @@ class Tour {
 
 }  // namespace
 
-std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines, const JoinCost& cost,
+std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines, const LineCost& cost,
                                     const std::optional<Vec2>& start) {
   std::vector<OrderedLine> result;
   if (lines.empty()) return result;
@@ -176,6 +176,11 @@ std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines, const Jo
   }
   for (const std::size_t node : best) result.push_back({node / 2, node % 2 == 1});
   return result;
+}
+
+std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines, const JoinCost& cost,
+                                    const std::optional<Vec2>& start) {
+  return line_order(lines, LineCost(std::cref(cost)), start);
 }
 
 }  // namespace swathplan

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -44,9 +45,17 @@ class JoinCost {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Metres of a join from a place on a course to another on another.
+using LineCost =
+    std::function<double(const Vec2& a, const Vec2& course_a, const Vec2& b, const Vec2& course_b)>;
+
 /// The order in which lines are sailed: from the order given and from the nearest next line, each
 /// mended by turning runs round (2-opt) and by moving runs of up to three lines (or-opt) until
 /// neither helps; the shorter is kept. Begins near `start`, if given. O(n^2) a round.
+[[nodiscard]] std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines,
+                                                  const LineCost& cost,
+                                                  const std::optional<Vec2>& start);
+
 [[nodiscard]] std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines,
                                                   const JoinCost& cost,
                                                   const std::optional<Vec2>& start);

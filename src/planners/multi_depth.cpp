@@ -1,11 +1,12 @@
 #include "planners/multi_depth.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "planners/back_and_forth.h"
-#include "planners/route_builder.h"
-#include "planners/survey_lines.h"
+#include "planners/row_order.h"
 
 namespace swathplan {
 namespace {
@@ -16,6 +17,38 @@ double nearest_end(const std::vector<SurveyLine>& lines, const Vec2& p) {
     best = std::min({best, (line.from - p).norm(), (line.to - p).norm()});
   }
   return best;
+}
+
+using OrderLines = std::function<std::vector<SurveyLine>(const std::vector<SurveyLine>&,
+                                                         const std::optional<Vec2>& at)>;
+
+/// The regions' lines, each region's in the order given, the nearest region next.
+BuiltRoute region_by_region(const Plan& plan, const std::vector<std::vector<SurveyLine>>& lines,
+                            const PlanningGround& ground, const PlanOptions& options,
+                            const OrderLines& order) {
+  RouteBuilder builder(ground, options);
+  std::vector<char> done(lines.size(), 0);
+  std::optional<Vec2> at = options.start;
+  int number = 1;
+  for (std::size_t round = 0; round < lines.size(); ++round) {
+    std::size_t pick = lines.size();
+    for (std::size_t r = 0; r < lines.size(); ++r) {
+      if (done[r] != 0) continue;
+      if (pick == lines.size() ||
+          (at && nearest_end(lines[r], *at) < nearest_end(lines[pick], *at))) {
+        pick = r;
+      }
+    }
+    done[pick] = 1;
+    const FanAngles fan = fan_for_depth(options, plan.regions.regions[pick].mean_depth_m);
+    for (const SurveyLine& line : order(lines[pick], at)) {
+      auto points = line_waypoints(line, number++, fan, options);
+      for (Waypoint& point : points) point.region = static_cast<int>(pick);
+      builder.add_line(points);
+    }
+    at = builder.at();
+  }
+  return builder.built();
 }
 
 }  // namespace
@@ -37,30 +70,16 @@ Plan plan_multi_depth(const PlanningGround& ground, const PlanOptions& options) 
         parallel_lines(outline, {.azimuth = azimuth, .spacing_m = width, .inset_m = kLineInset}));
   }
 
-  RouteBuilder builder(ground, options);
-  std::vector<char> done(lines.size(), 0);
-  std::optional<Vec2> at = options.start;
-  int number = 1;
-  for (std::size_t round = 0; round < lines.size(); ++round) {
-    std::size_t pick = lines.size();
-    for (std::size_t r = 0; r < lines.size(); ++r) {
-      if (done[r] != 0) continue;
-      if (pick == lines.size() ||
-          (at && nearest_end(lines[r], *at) < nearest_end(lines[pick], *at))) {
-        pick = r;
-      }
-    }
-    done[pick] = 1;
-    const FanAngles fan = fan_for_depth(options, plan.regions.regions[pick].mean_depth_m);
-    for (const SurveyLine& line : to_and_fro(lines[pick], at)) {
-      auto points = line_waypoints(line, number++, fan, options);
-      for (Waypoint& point : points) point.region = static_cast<int>(pick);
-      builder.add_line(points);
-    }
-    at = builder.at();
-  }
-  plan.route = builder.finish();
-  plan.notes = builder.notes();
+  const double radius = options.vehicle.turn_radius_m;
+  const JoinCost cost(ground.water, radius);
+  BuiltRoute built = shorter_order(options, [&](const RowOrder& order) {
+    return region_by_region(plan, lines, ground, options,
+                            [&](const auto& of_region, const auto& at) {
+                              return ordered(of_region, order, cost, radius, at);
+                            });
+  });
+  plan.route = std::move(built.route);
+  plan.notes = std::move(built.notes);
   if (options.opening == Opening::ping) plan.route = opened_per_ping(plan.route, ground, options);
   return plan;
 }

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+
 #include "coverage/ray_scene.h"
 #include "coverage/route_figures.h"
 #include "mesh/error.h"
@@ -10,6 +14,7 @@
 #include "planners/mdnuc.h"
 #include "planners/multi_depth.h"
 #include "planners/nuc.h"
+#include "planners/route_builder.h"
 #include "planners/simulated.h"
 #include "planners/survey_lines.h"
 #include "planners/water_path.h"
@@ -274,6 +279,73 @@ TEST(WaterPath, SeparateWatersHaveNone) {
   const auto straight = paths.find({10, 10}, {40, 40});
   ASSERT_TRUE(straight);
   EXPECT_EQ(straight->size(), 2U);
+}
+
+/// Lines of a route in the order they are sailed: where each begins and ends.
+std::vector<SurveyLine> sailed_lines(const Route& route) {
+  std::vector<SurveyLine> lines;
+  for (const Leg& leg : legs(route)) {
+    if (!route.waypoints[leg.first].log) continue;
+    lines.push_back({route.waypoints[leg.first].position, route.waypoints[leg.last].position, 0});
+  }
+  return lines;
+}
+
+struct WideTurns {
+  Site site{flat(600.0, 400.0, 10.0)};
+  PlanOptions how = options(0.10, 1);
+  WideTurns() {
+    site.ground.survey_area = offset(site.ground.water, -80.0);  // run-out on every side
+    how.vehicle.turn_radius_m = 25.0;
+  }
+};
+
+TEST(BackAndForth, SkipsRowsWhereTurnsAreWiderThanTheSpacing) {
+  const WideTurns wide;
+  const Plan plan = plan_back_and_forth(wide.site.ground, wide.how);
+  const auto lines = sailed_lines(plan.route);
+  ASSERT_GE(lines.size(), 8U);
+  std::set<long> rows;
+  for (const SurveyLine& line : lines) {
+    EXPECT_NEAR(line.from.y(), line.to.y(), 1e-6);
+    EXPECT_NEAR(std::abs(line.to.x() - line.from.x()), 440.0, 1.0) << "no line is cut or left out";
+    EXPECT_TRUE(rows.insert(std::lround(line.from.y())).second) << "a line is sailed twice";
+  }
+  std::size_t skips = 0;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    skips += std::abs(lines[i].from.y() - lines[i - 1].to.y()) > 1.5 * 25.6 ? 1 : 0;
+  }
+  EXPECT_GE(skips, lines.size() - 3);
+  EXPECT_NE(plan.notes.back().find("order of the least way"), std::string::npos);
+
+  RouteBuilder builder(wide.site.ground, wide.how);
+  int number = 1;
+  std::vector<SurveyLine> given = lines;
+  std::sort(given.begin(), given.end(),
+            [](const auto& a, const auto& b) { return a.from.y() < b.from.y(); });
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if ((given[i].to.x() > given[i].from.x()) != (i % 2 == 0))
+      std::swap(given[i].from, given[i].to);
+    builder.add_line(line_waypoints(given[i], number++, {}, wide.how));
+  }
+  EXPECT_LT(length_m(plan.route), 0.95 * length_m(builder.finish()));
+}
+
+TEST(BackAndForth, SailsToAndFroWhereTheTurnFitsBetweenRows) {
+  WideTurns narrow;
+  narrow.how.vehicle.turn_radius_m = 12.8;
+  const Plan plan = plan_back_and_forth(narrow.site.ground, narrow.how);
+  const auto lines = sailed_lines(plan.route);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    EXPECT_NEAR(std::abs(lines[i].from.y() - lines[i - 1].to.y()), 25.6, 1e-6);
+  }
+  EXPECT_TRUE(plan.notes.empty());
+}
+
+TEST(MultiDepth, SkipsRowsToo) {
+  const WideTurns wide;
+  const Plan plan = plan_multi_depth(wide.site.ground, wide.how);
+  EXPECT_NE(plan.notes.back().find("order of the least way"), std::string::npos);
 }
 
 }  // namespace
