@@ -15,22 +15,23 @@
 namespace swathplan {
 namespace {
 
-/// Rays that candidates may cost in all: about 15 s of one core.
-constexpr double kRays = 4e8;
+/// Rays that candidates may cost in all.
+constexpr double kRays = 3e8;
 constexpr int kMostCandidates = 220;
 constexpr int kFewestCandidates = 30;
 /// One coarse judgement should not cost more than this many rays.
-constexpr double kRaysOfOne = 8e6;
+constexpr double kRaysOfOne = 4e6;
 constexpr double kRaysToSteer = 3e6;
 /// Sites with more rays than this in a plan are large: joining their lines and filling their gaps
 /// costs tens of seconds a plan, so fewer plans get that far.
 constexpr double kRaysOfLarge = 3e7;
 constexpr std::size_t kFewFinalists = 3;
 /// Prices of infill, as shares of W that a metre must bring: dear ones first.
-constexpr double kInfillGains[] = {0.2, 0.07};
+constexpr double kInfillGains[] = {0.3, 0.13, 0.07};
 /// Choices differ in length by at least this share.
 constexpr double kBand = 0.008;
-/// Infill is tried on so many of the best plans.
+/// Infill is tried on so many plans: the best at these prices, in points an ideal length, in turn.
+const std::vector<double> kInfillPrices = {kWorthPerRatio, 9.0, 12.0, 2.0};
 constexpr std::size_t kInfillOn = 4;
 constexpr std::size_t kInfillOnLarge = 2;
 
@@ -56,7 +57,10 @@ bool is_large(const LineWorkshop& shop) { return rays_of_plan(shop) > kRaysOfLar
 SearchBudget budget_for(const LineWorkshop& shop) {
   const double rays = rays_of_plan(shop);
   SearchBudget budget;
-  if (is_large(shop)) budget.finalists = kFewFinalists;
+  if (is_large(shop)) {
+    budget.finalists = kFewFinalists;
+    budget.block_prices = {9.0};
+  }
   budget.coarse = rays > kRaysOfOne ? 2 : 1;
   // Steering a way between all lines costs seconds where there are many.
   budget.steered = rays <= kRaysToSteer;
@@ -65,22 +69,18 @@ SearchBudget budget_for(const LineWorkshop& shop) {
   return budget;
 }
 
-double worth(const Outcome& o) { return o.cover_pct - kWorthPerRatio * o.length_ratio; }
-
-std::vector<std::size_t> front_of(const std::vector<Finished>& plans) {
+std::vector<Outcome> outcomes_of(const std::vector<Finished>& plans) {
   std::vector<Outcome> outcomes;
   outcomes.reserve(plans.size());
   for (const Finished& f : plans) outcomes.push_back(f.outcome);
-  return pareto_front(outcomes);
+  return outcomes;
 }
 
 /// Adds to `plans` what infill makes of the best of them.
 void infill_best(std::vector<Finished>& plans, LineWorkshop& shop) {
-  std::vector<std::size_t> best = front_of(plans);
-  std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) {
-    return worth(plans[a].outcome) > worth(plans[b].outcome);
-  });
-  best.resize(std::min(best.size(), is_large(shop) ? kInfillOnLarge : kInfillOn));
+  const std::vector<Outcome> outcomes = outcomes_of(plans);
+  const std::vector<std::size_t> best = spread(outcomes, pareto_front(outcomes), kInfillPrices,
+                                               is_large(shop) ? kInfillOnLarge : kInfillOn);
   for (const std::size_t i : best) {
     const CoverageGrid grid = shop.score(plans[i].built.route).grid;
     std::size_t before = 0;
@@ -145,7 +145,7 @@ void add_field_plans(std::vector<Finished>& plans, LineWorkshop& shop) {
 /// Of the plans that no other beats, the best of each band of length: a list that people can read.
 std::vector<std::size_t> choices_of(const std::vector<Finished>& plans) {
   std::vector<std::size_t> kept;
-  const auto front = front_of(plans);
+  const auto front = pareto_front(outcomes_of(plans));
   for (auto it = front.rbegin(); it != front.rend(); ++it) {
     const bool apart = kept.empty() || plans[*it].outcome.length_ratio <
                                            (1.0 - kBand) * plans[kept.back()].outcome.length_ratio;

@@ -78,9 +78,12 @@ Outcome LineWorkshop::estimate(const std::vector<SurveyCurve>& lines,
     if (!w.empty()) {
       const Vec2 course = (w.back().position - w[w.size() - 2].position).normalized();
       joins += joins_(w.back().position, course, here.from, here.course_from);
-      joins -= (here.from - w.back().position).norm();
+      const double straight = (here.from - w.back().position).norm();
+      joins -= straight;
       w.back().kind = LegKind::transit;
-      w.back().fan.reset();
+      // A way that runs straight sounds about what the steered one will; what runs around something
+      // sounds elsewhere.
+      if (joins_.way(w.back().position, here.from) > straight) w.back().fan.reset();
       w.back().line.reset();
       w.back().log = false;
     }

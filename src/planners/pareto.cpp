@@ -57,6 +57,25 @@ std::vector<std::size_t> pareto_front(const std::vector<Outcome>& outcomes) {
   return front;
 }
 
+double worth(const Outcome& outcome, double price) {
+  return outcome.cover_pct - price * outcome.length_ratio;
+}
+
+std::vector<std::size_t> spread(const std::vector<Outcome>& outcomes,
+                                std::vector<std::size_t> among, const std::vector<double>& prices,
+                                std::size_t count) {
+  std::vector<std::size_t> list;
+  while (list.size() < count && !among.empty()) {
+    const double price = prices[list.size() % prices.size()];
+    const auto best = std::max_element(among.begin(), among.end(), [&](auto a, auto b) {
+      return worth(outcomes[a], price) < worth(outcomes[b], price);
+    });
+    list.push_back(*best);
+    among.erase(best);
+  }
+  return list;
+}
+
 Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal) {
   if (goal.coverage_pct) {
     const std::size_t found = best_of(
@@ -76,9 +95,9 @@ Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal) {
     return within(outcomes, fmt::format("{:g} s", *goal.time_s),
                   [&](const Outcome& o) { return o.duration_s <= *goal.time_s; });
   }
-  const auto worth = [](const Outcome& o) { return o.cover_pct - kWorthPerRatio * o.length_ratio; };
   return {
-      best_of(outcomes, worth, any),
+      best_of(
+          outcomes, [](const Outcome& o) { return worth(o); }, any),
       fmt::format("the best of coverage less {:g} points for each ideal length", kWorthPerRatio)};
 }
 

@@ -43,5 +43,12 @@ struct Pick {
 
 /// Points of coverage that one more ideal length must bring where nothing else is asked for.
 inline constexpr double kWorthPerRatio = 4.0;
+/// Coverage less `price` points for each ideal length.
+[[nodiscard]] double worth(const Outcome& outcome, double price = kWorthPerRatio);
+/// Up to `count` of the outcomes at `among`, the best at each of the prices in turn, so that short
+/// plans stand beside dense ones.
+[[nodiscard]] std::vector<std::size_t> spread(const std::vector<Outcome>& outcomes,
+                                              std::vector<std::size_t> among,
+                                              const std::vector<double>& prices, std::size_t count);
 
 }  // namespace swathplan

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "planners/block_search_internal.h"
 #include "planners/fitted_straight.h"
 #include "planners/straight_search_internal.h"
 #include "planners/survey_lines.h"
@@ -33,14 +35,17 @@ constexpr double kApart = 0.01;
 
 double kept(const LineWorkshop& shop) { return 1.0 - shop.options().lines_margin; }
 
-const std::vector<float>& width_of(const StraightCandidate& c, LineWorkshop& shop) {
-  return shop.width(c.gap * kept(shop));
-}
+/// Points of coverage an ideal length, for plans that must be short.
+constexpr double kDear = 9.0;
+/// Blocks are compared on cells at least so many times coarser: ranks stay, for a quarter of the
+/// work.
+constexpr int kBlockCoarse = 2;
 
-LineAnglesOptions angles_of(const StraightCandidate& c, const LineWorkshop& shop) {
-  return {.overlap_m = c.overlap_m,
-          .widest_share = c.widest_share / kept(shop),
-          .by_distance = c.by_distance};
+std::vector<Outcome> outcomes_of(const std::vector<JudgedCandidate>& judged) {
+  std::vector<Outcome> outcomes;
+  outcomes.reserve(judged.size());
+  for (const JudgedCandidate& j : judged) outcomes.push_back(j.outcome);
+  return outcomes;
 }
 
 class Search {
@@ -58,7 +63,9 @@ class Search {
         judge(c);
       }
     }
-    return exact_front();
+    std::vector<JudgedCandidate> list = exact_front();
+    add_blocked(list);
+    return list;
   }
 
  private:
@@ -127,14 +134,10 @@ class Search {
     return best;
   }
 
-  [[nodiscard]] double worth(std::size_t i) const {
-    const Outcome& o = pool_[i].outcome;
-    return o.cover_pct - kWorthPerRatio * o.length_ratio;
-  }
+  [[nodiscard]] double worth(std::size_t i) const { return swathplan::worth(pool_[i].outcome); }
 
   [[nodiscard]] std::vector<std::size_t> front() const {
-    std::vector<Outcome> outcomes;
-    for (const JudgedCandidate& j : pool_) outcomes.push_back(j.outcome);
+    const std::vector<Outcome> outcomes = outcomes_of(pool_);
     auto list = pareto_front(outcomes);
     if (list.size() > 1) {
       std::erase_if(list, [&](std::size_t i) { return outcomes[i].cover_pct < kUseless; });
@@ -173,9 +176,9 @@ class Search {
 
   /// The finalists: spread over the front, the most worth always among them.
   [[nodiscard]] std::vector<JudgedCandidate> exact_front() {
-    std::vector<std::size_t> finalists = front();
-    std::stable_sort(finalists.begin(), finalists.end(),
-                     [&](std::size_t a, std::size_t b) { return worth(a) > worth(b); });
+    const std::vector<Outcome> outcomes = outcomes_of(pool_);
+    const std::vector<std::size_t> finalists =
+        spread(outcomes, front(), {kWorthPerRatio, kDear}, pool_.size());
     std::vector<JudgedCandidate> list;
     for (const std::size_t i : finalists) {
       if (list.size() == budget_.finalists) break;
@@ -191,6 +194,31 @@ class Search {
       j.outcome = shop_.judge(j.built.route, 1, j.outcome.what);
     }
     return list;
+  }
+
+  /// Adds what mixing directions and numbers block by block makes of the finalists that are best at
+  /// each price of length.
+  void add_blocked(std::vector<JudgedCandidate>& list) const {
+    const std::vector<Outcome> outcomes = outcomes_of(list);
+    std::map<std::size_t, BlockSearch> searches;
+    for (const double price : budget_.block_prices) {
+      if (outcomes.empty()) return;
+      const auto best = static_cast<std::size_t>(
+          std::max_element(outcomes.begin(), outcomes.end(),
+                           [&](const Outcome& a, const Outcome& b) {
+                             return swathplan::worth(a, price) < swathplan::worth(b, price);
+                           }) -
+          outcomes.begin());
+      const int coarse = std::max(budget_.coarse, kBlockCoarse);
+      BlockSearch& search =
+          searches.try_emplace(best, list[best].candidate, coarse, shop_).first->second;
+      if (!search.has_blocks()) continue;
+      const BlockedRows found = search.best_for(price);
+      JudgedCandidate j{found.base, found.outcome, {}};
+      j.built = shop_.build(found.lines, width_of(found.base, shop_), angles_of(found.base, shop_));
+      j.outcome = shop_.judge(j.built.route, 1, found.outcome.what);
+      list.push_back(std::move(j));
+    }
   }
 
   LineWorkshop& shop_;
@@ -209,6 +237,16 @@ std::vector<SurveyCurve> lines_of(const StraightCandidate& c, LineWorkshop& shop
                                 .lines = c.lines,
                                 .phase = c.phase,
                                 .inset_m = c.inset_m});
+}
+
+const std::vector<float>& width_of(const StraightCandidate& c, LineWorkshop& shop) {
+  return shop.width(c.gap * kept(shop));
+}
+
+LineAnglesOptions angles_of(const StraightCandidate& c, const LineWorkshop& shop) {
+  return {.overlap_m = c.overlap_m,
+          .widest_share = c.widest_share / kept(shop),
+          .by_distance = c.by_distance};
 }
 
 BuiltRoute build(const StraightCandidate& c, LineWorkshop& shop) {

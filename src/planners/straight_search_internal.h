@@ -31,6 +31,11 @@ struct JudgedCandidate {
 [[nodiscard]] std::vector<SurveyCurve> lines_of(const StraightCandidate& candidate,
                                                 LineWorkshop& shop);
 [[nodiscard]] BuiltRoute build(const StraightCandidate& candidate, LineWorkshop& shop);
+/// The swath that a candidate's rows are spaced by, and how its fans open.
+[[nodiscard]] const std::vector<float>& width_of(const StraightCandidate& candidate,
+                                                 LineWorkshop& shop);
+[[nodiscard]] LineAnglesOptions angles_of(const StraightCandidate& candidate,
+                                          const LineWorkshop& shop);
 [[nodiscard]] std::string describe(const StraightCandidate& candidate);
 
 /// How much the simulator may be asked.
@@ -39,10 +44,13 @@ struct SearchBudget {
   int coarse = 1;             ///< see LineWorkshop::score
   bool steered = true;        ///< candidates are joined by ways that the vehicle can steer
   std::size_t finalists = 8;  ///< that are built and scored in full at the end
+  /// Points of coverage an ideal length that finalists' rows are mixed for, block by block.
+  std::vector<double> block_prices = {5.0, 9.0, 12.0, 16.0};
 };
 
 /// Tries straight lines in many directions and numbers, then varies those that nothing beats, until
-/// the budget is spent. Returns what nothing beats, shortest first, judged with the exact scorer.
+/// the budget is spent. Of those that nothing beats some short and some dense ones are mixed block
+/// by block. Returns the finalists of both, judged with the exact scorer.
 [[nodiscard]] std::vector<JudgedCandidate> search_straight_lines(LineWorkshop& shop,
                                                                  const SearchBudget& budget);
 

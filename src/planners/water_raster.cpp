@@ -55,6 +55,14 @@ Vec2 WaterRaster::centre(std::size_t i) const {
                                 static_cast<double>(i / columns_) + 0.5);
 }
 
+WaterRaster WaterRaster::only(const std::vector<char>& keep) const {
+  WaterRaster part = *this;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (keep[i] == 0) part.depth_[i] = 0.0F;
+  }
+  return part;
+}
+
 std::optional<double> WaterRaster::depth_near(const Vec2& p) const {
   const Vec2 at = (p - origin_) / cell_;
   const auto c0 = static_cast<std::int64_t>(std::floor(at.x()));

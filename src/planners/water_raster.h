@@ -29,6 +29,8 @@ class WaterRaster {
   [[nodiscard]] double depth(std::size_t i) const { return depth_[i]; }
   /// Depth at p, of the nearest cell of the area within three cells; empty farther off.
   [[nodiscard]] std::optional<double> depth_near(const Vec2& p) const;
+  /// The same raster with no cells in the area but those that `keep` names, one flag a cell.
+  [[nodiscard]] WaterRaster only(const std::vector<char>& keep) const;
 
  private:
   double cell_ = 1.0;
