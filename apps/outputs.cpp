@@ -149,9 +149,11 @@ std::string choices_table(const Plan& plan) {
   std::string text = fmt::format("choices ({}):\n", plan.chosen_why);
   for (std::size_t i = 0; i < plan.choices.size(); ++i) {
     const Outcome& o = plan.choices[i];
-    text += fmt::format("{} {:>6.2f} % {} over {:>7.0f} m ({:.2f} ideal lengths, {} turns): {}\n",
-                        i == plan.chosen ? '*' : ' ', o.cover_pct, name(o.cover), o.length_m,
-                        o.length_ratio, o.turns, o.what);
+    text += fmt::format(
+        "{} {:>6.2f} % {} over {:>7.0f} m ({:.2f} ideal lengths, {} turns{}): {}\n",
+        i == plan.chosen ? '*' : ' ', o.cover_pct, name(o.cover), o.length_m, o.length_ratio,
+        o.turns, o.infeasible_legs > 0 ? fmt::format(", {} infeasible", o.infeasible_legs) : "",
+        o.what);
   }
   return text;
 }

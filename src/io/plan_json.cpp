@@ -62,6 +62,7 @@ Json choices_json(const PlanFacts& facts) {
                     {"length_m", o.length_m},
                     {"turns", o.turns},
                     {"duration_s", o.duration_s},
+                    {"infeasible_legs", o.infeasible_legs},
                     {"made_of", o.what},
                     {"picked", i == facts.chosen}});
   }

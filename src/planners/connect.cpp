@@ -107,7 +107,10 @@ class TautWay {
   std::vector<double> left_;
 };
 
-std::string at_text(const Vec2& p) { return fmt::format("({:.1f}, {:.1f})", p.x(), p.y()); }
+std::string at_text(const Vec2& local, const Frame& frame) {
+  const Vec2 p = frame.to_file(local);
+  return fmt::format("({:.1f}, {:.1f})", p.x(), p.y());
+}
 
 }  // namespace
 
@@ -268,11 +271,12 @@ Connection Connector::join(const std::vector<Vec2>& before, const std::vector<Ve
   none.points = way.value_or(std::vector<Vec2>{a, b});
   none.reason =
       way ? fmt::format("no forward way with turns of {:g} m from {} to {} stays in safe water",
-                        impl_->options.radius_m, at_text(a), at_text(b))
+                        impl_->options.radius_m, at_text(a, impl_->options.frame),
+                        at_text(b, impl_->options.frame))
           : fmt::format(
                 "no way through the water from {} to {}: the transit between these separate "
                 "waters crosses land and is counted as outside the water",
-                at_text(a), at_text(b));
+                at_text(a, impl_->options.frame), at_text(b, impl_->options.frame));
   return none;
 }
 

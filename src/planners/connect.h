@@ -30,6 +30,7 @@ struct ConnectOptions {
   double radius_m = 1.5;  ///< smallest turn radius, > 0
   /// Longest share of a line that may be given up at either end for a turn that fits.
   double longest_cut = 0.45;
+  Frame frame = {};  ///< of the seafloor's file: reasons name places in its coordinates
 };
 
 /// Joins lines through safe water by forward motion with turns of at least a radius. A line that

@@ -149,10 +149,9 @@ std::vector<SurveyCurve> lines_of_water(const Polygon& water, const SweptGround&
     if (shop.ground().scene == nullptr) return lines;
     constexpr int kCoarse = 2;
     const Outcome outcome = shop.estimate(lines, width, kAngles, kCoarse, {});
-    const double worth = outcome.cover_pct - kWorthPerRatio * outcome.length_ratio;
-    if (best.empty() || worth > best_worth) {
+    if (best.empty() || worth(outcome) > best_worth) {
       best = std::move(lines);
-      best_worth = worth;
+      best_worth = worth(outcome);
     }
   }
   return best;

@@ -142,14 +142,19 @@ void add_field_plans(std::vector<Finished>& plans, LineWorkshop& shop) {
   }
 }
 
-/// Of the plans that no other beats, the best of each band of length: a list that people can read.
+/// Of the plans that no other beats, the best of each band of length (one with fewer infeasible
+/// legs, if any): a list that people can read.
 std::vector<std::size_t> choices_of(const std::vector<Finished>& plans) {
   std::vector<std::size_t> kept;
   const auto front = pareto_front(outcomes_of(plans));
   for (auto it = front.rbegin(); it != front.rend(); ++it) {
     const bool apart = kept.empty() || plans[*it].outcome.length_ratio <
                                            (1.0 - kBand) * plans[kept.back()].outcome.length_ratio;
-    if (apart) kept.push_back(*it);
+    if (apart) {
+      kept.push_back(*it);
+    } else if (plans[*it].outcome.infeasible_legs < plans[kept.back()].outcome.infeasible_legs) {
+      kept.back() = *it;
+    }
   }
   std::reverse(kept.begin(), kept.end());
   return kept;

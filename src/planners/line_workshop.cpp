@@ -150,6 +150,7 @@ Outcome LineWorkshop::judge(const Route& route, int coarse, std::string what) co
   outcome.cover_pct = cover_pct(score);
   outcome.turns = score.route.turns;
   outcome.duration_s = score.route.duration_s;
+  outcome.infeasible_legs = score.route.infeasible_legs;
   outcome.what = std::move(what);
   return outcome;
 }

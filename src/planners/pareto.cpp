@@ -25,8 +25,18 @@ std::size_t best_of(const std::vector<Outcome>& outcomes,
 }
 
 bool any(const Outcome& outcome) { return outcome.length_ratio >= 0.0; }
-double coverage(const Outcome& outcome) { return outcome.cover_pct; }
-double shortness(const Outcome& outcome) { return -outcome.length_ratio; }
+double infeasible_points(const Outcome& outcome) {
+  return kWorthPerInfeasible * static_cast<double>(outcome.infeasible_legs);
+}
+double coverage(const Outcome& outcome) { return outcome.cover_pct - infeasible_points(outcome); }
+double shortness(const Outcome& outcome) {
+  return -outcome.length_ratio - infeasible_points(outcome) / kWorthPerRatio;
+}
+/// Of two outcomes, the second no shorter.
+bool beats(const Outcome& shorter, const Outcome& outcome) {
+  return shorter.cover_pct >= outcome.cover_pct &&
+         shorter.infeasible_legs <= outcome.infeasible_legs;
+}
 
 Pick within(const std::vector<Outcome>& outcomes, const std::string& limit,
             const std::function<bool(const Outcome&)>& may) {
@@ -47,18 +57,22 @@ std::vector<std::size_t> pareto_front(const std::vector<Outcome>& outcomes) {
     if (outcomes[a].length_ratio != outcomes[b].length_ratio) {
       return outcomes[a].length_ratio < outcomes[b].length_ratio;
     }
-    return outcomes[a].cover_pct > outcomes[b].cover_pct;
+    if (outcomes[a].cover_pct != outcomes[b].cover_pct) {
+      return outcomes[a].cover_pct > outcomes[b].cover_pct;
+    }
+    return outcomes[a].infeasible_legs < outcomes[b].infeasible_legs;
   });
   std::vector<std::size_t> front;
   for (const std::size_t i : order) {
-    if (front.empty() || outcomes[i].cover_pct > outcomes[front.back()].cover_pct)
-      front.push_back(i);
+    const bool beaten = std::any_of(front.begin(), front.end(),
+                                    [&](std::size_t j) { return beats(outcomes[j], outcomes[i]); });
+    if (!beaten) front.push_back(i);
   }
   return front;
 }
 
 double worth(const Outcome& outcome, double price) {
-  return outcome.cover_pct - price * outcome.length_ratio;
+  return coverage(outcome) - price * outcome.length_ratio;
 }
 
 std::vector<std::size_t> spread(const std::vector<Outcome>& outcomes,
@@ -95,10 +109,14 @@ Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal) {
     return within(outcomes, fmt::format("{:g} s", *goal.time_s),
                   [&](const Outcome& o) { return o.duration_s <= *goal.time_s; });
   }
+  const bool steerable = std::all_of(outcomes.begin(), outcomes.end(),
+                                     [](const Outcome& o) { return o.infeasible_legs == 0; });
   return {
       best_of(
           outcomes, [](const Outcome& o) { return worth(o); }, any),
-      fmt::format("the best of coverage less {:g} points for each ideal length", kWorthPerRatio)};
+      fmt::format(
+          "the best of coverage less {:g} points for each ideal length{}", kWorthPerRatio,
+          steerable ? "" : fmt::format(" and {:g} for each infeasible leg", kWorthPerInfeasible))};
 }
 
 }  // namespace swathplan

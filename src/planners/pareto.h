@@ -18,12 +18,13 @@ struct Outcome {
   std::size_t turns = 0;
   double length_m = 0.0;
   double duration_s = 0.0;
-  std::string what;  ///< how it was made, for people
+  std::string what;                 ///< how it was made, for people
+  std::size_t infeasible_legs = 0;  ///< that the vehicle cannot steer as drawn
   Cover cover = Cover::hit;
 };
 
 /// Indices of the outcomes that no other beats: none is as short or shorter with as much or more
-/// coverage. Shortest first; of equals the first given stays.
+/// coverage and no more infeasible legs. Shortest first; of equals the first given stays.
 [[nodiscard]] std::vector<std::size_t> pareto_front(const std::vector<Outcome>& outcomes);
 
 /// What a plan is asked for; at most one of them is set.
@@ -38,12 +39,16 @@ struct Pick {
   std::string why;  ///< one sentence
 };
 /// Chooses from outcomes (at least one). Where the goal is out of reach: the most coverage, or the
-/// shortest plan. With no goal: the most of coverage less kWorthPerRatio x length ratio.
+/// shortest plan. With no goal: the most of worth(). An infeasible leg counts as
+/// kWorthPerInfeasible points, or the ideal lengths that are worth as much.
 [[nodiscard]] Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal);
 
 /// Points of coverage that one more ideal length must bring where nothing else is asked for.
 inline constexpr double kWorthPerRatio = 4.0;
-/// Coverage less `price` points for each ideal length.
+/// Points of coverage that a plan with one infeasible leg less may lack.
+inline constexpr double kWorthPerInfeasible = 2.0;
+/// Coverage less `price` points for each ideal length and kWorthPerInfeasible for each infeasible
+/// leg.
 [[nodiscard]] double worth(const Outcome& outcome, double price = kWorthPerRatio);
 /// Up to `count` of the outcomes at `among`, the best at each of the prices in turn, so that short
 /// plans stand beside dense ones.

@@ -75,7 +75,8 @@ std::vector<Waypoint> line_waypoints(const SurveyLine& line, int number, const F
 }
 
 RouteBuilder::RouteBuilder(const PlanningGround& ground, const PlanOptions& options)
-    : connector_(ground.water, {.radius_m = options.vehicle.turn_radius_m}),
+    : connector_(ground.water, {.radius_m = options.vehicle.turn_radius_m,
+                                .frame = ground.seafloor ? ground.seafloor->frame : Frame{}}),
       vehicle_(options.vehicle),
       run_in_(options.run_in_m),
       run_out_(options.run_out_m),

@@ -20,6 +20,7 @@ Outcome simulated_hits(const Route& route, const PlanningGround& ground,
   outcome.turns = score.route.turns;
   outcome.length_m = score.route.length_m;
   outcome.duration_s = score.route.duration_s;
+  outcome.infeasible_legs = score.route.infeasible_legs;
   return outcome;
 }
 

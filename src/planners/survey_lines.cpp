@@ -43,8 +43,7 @@ std::vector<SurveyLine> parallel_lines(const Area& area, const ParallelLinesOpti
   const Range reach = range_along(area, u);
   const double width = rows.high - rows.low;
   const auto count = static_cast<int>(std::max(1.0, std::round(width / options.spacing_m)));
-  const double first =
-      rows.low + 0.5 * (width - options.spacing_m * (count - 1)) + options.shift_m;
+  const double first = rows.low + 0.5 * (width - options.spacing_m * (count - 1)) + options.shift_m;
   for (int row = 0; row < count; ++row) {
     const double offset = first + options.spacing_m * row;
     const Vec2 a = v * offset + u * (reach.low - 1.0);

@@ -22,8 +22,8 @@ struct ParallelLinesOptions {
 };
 
 /// Parallel lines across the area at an even spacing: as many as fit its width rounded, centred
-/// in it (and shifted), each cut to the area. By row, then along. Pieces shorter than a fifth of the spacing are
-/// left out where their row has a longer one.
+/// in it (and shifted), each cut to the area. By row, then along. Pieces shorter than a fifth of
+/// the spacing are left out where their row has a longer one.
 [[nodiscard]] std::vector<SurveyLine> parallel_lines(const Area& area,
                                                      const ParallelLinesOptions& options);
 

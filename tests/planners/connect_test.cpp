@@ -108,6 +108,15 @@ TEST(Connect, SeparateWatersSaySo) {
   EXPECT_NE(way.reason.find("no way through the water"), std::string::npos) << way.reason;
 }
 
+TEST(Connect, ReasonsNamePlacesAsTheFileDoes) {
+  Frame frame;
+  frame.origin = {400000, 5990000};
+  const Connector connector({{box(0, 0, 40, 40), {}}, {box(60, 0, 100, 40), {}}},
+                            {.radius_m = 2.0, .frame = frame});
+  const auto way = connector.join({{5, 20}, {30, 20}}, {{70, 20}, {95, 20}});
+  EXPECT_NE(way.reason.find("(400030.0, 5990020.0)"), std::string::npos) << way.reason;
+}
+
 TEST(Connect, ALineOfOnePointIsJoinedOnAnyCourse) {
   const Connector connector(basin(50, 50), {.radius_m = 2.0});
   const auto way = connector.join({{25, 25}}, {{10, 10}, {10, 40}});

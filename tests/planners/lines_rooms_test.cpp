@@ -39,6 +39,26 @@ TEST(ParetoFront, KeepsWhatNothingBeats) {
   }
   EXPECT_EQ(pareto_front(outcomes), (std::vector<std::size_t>{1, 0, 4}));
   EXPECT_TRUE(pareto_front({}).empty());
+  // One that is longer or covers less, but can be steered, stays.
+  outcomes[0].infeasible_legs = 1;
+  EXPECT_EQ(pareto_front(outcomes), (std::vector<std::size_t>{1, 0, 4}));
+  outcomes[0].infeasible_legs = 0;
+  outcomes[1].infeasible_legs = 2;
+  EXPECT_EQ(pareto_front(outcomes), (std::vector<std::size_t>{1, 2, 0, 4}));
+}
+
+TEST(ParetoPick, PrefersWhatCanBeSteered) {
+  std::vector<Outcome> outcomes(2);
+  outcomes[0].length_ratio = 2.48, outcomes[0].cover_pct = 98.2;
+  outcomes[1].length_ratio = 2.50, outcomes[1].cover_pct = 99.3;
+  EXPECT_EQ(pick(outcomes, {}).index, 1U);
+  EXPECT_EQ(pick(outcomes, {}).why.find("infeasible"), std::string::npos);
+  outcomes[1].infeasible_legs = 1;
+  EXPECT_EQ(pick(outcomes, {}).index, 0U);
+  EXPECT_NE(pick(outcomes, {}).why.find("infeasible"), std::string::npos);
+  PlanGoal within;
+  within.length_m = 1.0;
+  EXPECT_EQ(pick(outcomes, within).index, 0U);
 }
 
 TEST(ParetoPick, FollowsTheGoalAndSaysWhenItIsOutOfReach) {

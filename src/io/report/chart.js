@@ -96,7 +96,7 @@ function choicesText(plan) {
   const by = cover === 'footprint' ? ' (of beam footprints)' : '';
   const c = list[picked];
   return element('p', {class: 'says'}, element('strong', {}, `${plan.name}: `),
-    `diamonds are the ${list.length} plans that no other tried plan beats in both length and coverage${by}. ` +
+    `diamonds are the ${list.length} plans that no other tried plan beats in length, coverage${by} and legs that cannot be steered. ` +
     `Picked (ring): ${c.what}, ${why}.`);
 }
 

@@ -224,6 +224,7 @@ Json choices_json(const ReportPlan& plan) {
                     {"length_ratio", o.length_ratio},
                     {"length_m", o.length_m},
                     {"turns", o.turns},
+                    {"infeasible_legs", o.infeasible_legs},
                     {"what", o.what}});
   }
   const Cover cover = plan.choices.empty() ? Cover::hit : plan.choices.front().cover;
