@@ -154,7 +154,7 @@ TEST(BadOptions, NameOptionValueAndRule) {
 TEST(BadOutput, AFolderThatCannotBeMadeIsSaidBeforePlanning) {
   const Folder folder;
   folder.write("taken", "a file");
-  const Run run = folder.run("plan " + dataset("saddle.asc") + " -o taken/out");
+  const auto run = folder.run("plan " + dataset("saddle.asc") + " -o taken/out");
   EXPECT_EQ(run.code, 1);
   EXPECT_NE(run.err.find("taken/out"), std::string::npos) << run.err;
   EXPECT_EQ(run.err.find("choices"), std::string::npos) << run.err;
