@@ -47,6 +47,7 @@ void BlockSearch::add_layouts(std::size_t block) {
   };
   const double density = base_.lines / swaths(shop_.raster(), Angle::degrees(base_.azimuth_deg));
   for (const bool across : {false, true}) {
+    if (across && shop_.options().heading) break;
     const Angle azimuth = Angle::degrees(std::fmod(base_.azimuth_deg + (across ? 90. : 0.), 180.));
     const int middle = std::max(1, static_cast<int>(std::lround(density * swaths(part, azimuth))));
     for (int rows = std::max(1, middle - 1); rows <= middle + (across ? 0 : 1); ++rows) {
@@ -83,8 +84,9 @@ const Outcome& BlockSearch::outcome_of(const Choice& choice) {
   return it->second;
 }
 
-BlockedRows BlockSearch::best_for(double price) {
-  Choice best(layouts_.size(), 0);
+std::optional<BlockedRows> BlockSearch::best_for(double price) {
+  const Choice base(layouts_.size(), 0);
+  Choice best = base;
   for (const std::size_t b : largest()) {
     Choice tried = best;
     for (std::size_t k = 1; k < layouts_[b].size(); ++k) {
@@ -92,7 +94,8 @@ BlockedRows BlockSearch::best_for(double price) {
       if (worth(outcome_of(tried), price) > worth(outcome_of(best), price)) best = tried;
     }
   }
-  return {lines_for(best), base_, outcome_of(best)};
+  if (best == base || !taken_.insert(best).second) return std::nullopt;
+  return BlockedRows{lines_for(best), base_, outcome_of(best)};
 }
 
 }  // namespace swathplan

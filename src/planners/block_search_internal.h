@@ -1,6 +1,8 @@
 #pragma once
 
 #include <map>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "planners/row_blocks.h"
@@ -16,7 +18,7 @@ struct BlockedRows {
 };
 
 /// Lays the rows of a candidate anew in one of its blocks after the other, the largest first: in
-/// its direction and across it, with one row more and one less.
+/// its direction and, unless the options give the heading, across it; with one row more and less.
 class BlockSearch {
  public:
   BlockSearch(const StraightCandidate& base, int coarse, LineWorkshop& shop);
@@ -24,8 +26,9 @@ class BlockSearch {
   /// False where rows run to and fro over the whole area: there is nothing to mix.
   [[nodiscard]] bool has_blocks() const { return blocks_.lines.size() > 1; }
   /// The rows with the most coverage less `price` points for each ideal length that one round
-  /// over the blocks finds. What was judged for one price is not judged again for the next.
-  [[nodiscard]] BlockedRows best_for(double price);
+  /// over the blocks finds. Empty: the base's are as good, or the rows were returned before. What
+  /// was judged for one price is not judged again for the next.
+  [[nodiscard]] std::optional<BlockedRows> best_for(double price);
 
   static constexpr std::size_t kMostBlocks = 6;
   static constexpr double kLeastShare = 0.04;  ///< of the area, of a block that is laid anew
@@ -43,6 +46,7 @@ class BlockSearch {
   RowBlocks blocks_;
   std::vector<std::vector<std::vector<SurveyCurve>>> layouts_;  ///< of each block, the base's first
   std::map<Choice, Outcome> judged_;
+  std::set<Choice> taken_;
 };
 
 }  // namespace swathplan

@@ -16,7 +16,7 @@ namespace swathplan {
 namespace {
 
 /// Rays that candidates may cost in all.
-constexpr double kRays = 3e8;
+constexpr double kRays = 4e8;
 constexpr int kMostCandidates = 220;
 constexpr int kFewestCandidates = 30;
 /// One coarse judgement should not cost more than this many rays.
@@ -31,7 +31,7 @@ constexpr double kInfillGains[] = {0.3, 0.13, 0.07};
 /// Choices differ in length by at least this share.
 constexpr double kBand = 0.008;
 /// Infill is tried on so many plans: the best at these prices, in points an ideal length, in turn.
-const std::vector<double> kInfillPrices = {kWorthPerRatio, 9.0, 12.0, 2.0};
+const std::vector<double> kInfillPrices = {kWorthPerRatio, 9.0, 12.0, 1.5};
 constexpr std::size_t kInfillOn = 4;
 constexpr std::size_t kInfillOnLarge = 2;
 

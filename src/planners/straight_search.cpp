@@ -35,11 +35,10 @@ constexpr double kApart = 0.01;
 
 double kept(const LineWorkshop& shop) { return 1.0 - shop.options().lines_margin; }
 
-/// Points of coverage an ideal length, for plans that must be short.
-constexpr double kDear = 9.0;
-/// Blocks are compared on cells at least so many times coarser: ranks stay, for a quarter of the
-/// work.
-constexpr int kBlockCoarse = 2;
+/// Finalists are the best at these prices, in points an ideal length: all-round, short, dense.
+const std::vector<double> kFinalistPrices = {kWorthPerRatio, 9.0, 1.5};
+/// Blocks are compared on cells coarser than candidates' by this: ranks stay, for half the work.
+constexpr int kBlockCoarser = 1;
 
 std::vector<Outcome> outcomes_of(const std::vector<JudgedCandidate>& judged) {
   std::vector<Outcome> outcomes;
@@ -178,7 +177,7 @@ class Search {
   [[nodiscard]] std::vector<JudgedCandidate> exact_front() {
     const std::vector<Outcome> outcomes = outcomes_of(pool_);
     const std::vector<std::size_t> finalists =
-        spread(outcomes, front(), {kWorthPerRatio, kDear}, pool_.size());
+        spread(outcomes, front(), kFinalistPrices, pool_.size());
     std::vector<JudgedCandidate> list;
     for (const std::size_t i : finalists) {
       if (list.size() == budget_.finalists) break;
@@ -209,14 +208,16 @@ class Search {
                              return swathplan::worth(a, price) < swathplan::worth(b, price);
                            }) -
           outcomes.begin());
-      const int coarse = std::max(budget_.coarse, kBlockCoarse);
+      const int coarse = budget_.coarse + kBlockCoarser;
       BlockSearch& search =
           searches.try_emplace(best, list[best].candidate, coarse, shop_).first->second;
       if (!search.has_blocks()) continue;
-      const BlockedRows found = search.best_for(price);
-      JudgedCandidate j{found.base, found.outcome, {}};
-      j.built = shop_.build(found.lines, width_of(found.base, shop_), angles_of(found.base, shop_));
-      j.outcome = shop_.judge(j.built.route, 1, found.outcome.what);
+      const auto found = search.best_for(price);
+      if (!found) continue;
+      JudgedCandidate j{found->base, found->outcome, {}};
+      j.built =
+          shop_.build(found->lines, width_of(j.candidate, shop_), angles_of(j.candidate, shop_));
+      j.outcome = shop_.judge(j.built.route, 1, found->outcome.what);
       list.push_back(std::move(j));
     }
   }

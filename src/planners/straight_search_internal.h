@@ -45,7 +45,7 @@ struct SearchBudget {
   bool steered = true;        ///< candidates are joined by ways that the vehicle can steer
   std::size_t finalists = 8;  ///< that are built and scored in full at the end
   /// Points of coverage an ideal length that finalists' rows are mixed for, block by block.
-  std::vector<double> block_prices = {5.0, 9.0, 12.0, 16.0};
+  std::vector<double> block_prices = {5.0, 9.0, 12.0};
 };
 
 /// Tries straight lines in many directions and numbers, then varies those that nothing beats, until
