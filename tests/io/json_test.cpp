@@ -171,7 +171,8 @@ TEST(PlanJson, HoldsTheChoicesThatThePlannerHad) {
                     .turns = 20,
                     .length_m = 3000.0,
                     .duration_s = 1500.0,
-                    .what = "9 straight rows"},
+                    .what = "9 straight rows",
+                    .infeasible_legs = 2},
                    {.length_ratio = 2.0,
                     .cover_pct = 99.0,
                     .turns = 30,
@@ -184,7 +185,7 @@ TEST(PlanJson, HoldsTheChoicesThatThePlannerHad) {
   ASSERT_EQ(read["choices"].size(), 2U);
   EXPECT_EQ(read["choices"][0],
             json::parse(R"({"coverage_hit_pct": 95.0, "length_ratio": 1.5, "length_m": 3000.0,
-                            "turns": 20, "duration_s": 1500.0, "made_of": "9 straight rows",
+                            "turns": 20, "duration_s": 1500.0, "infeasible_legs": 2, "made_of": "9 straight rows",
                             "picked": false})"));
   EXPECT_EQ(read["choices"][1]["picked"], true);
   facts.choices[0].cover = Cover::footprint;
