@@ -24,6 +24,12 @@ constexpr double kCutStep = 0.25;
 constexpr double kMostCut = 4.0;
 /// Times as many poses as else that the last search may take.
 constexpr int kPatience = 4;
+/// Places at which a line is left and the next begun that searches try.
+constexpr std::size_t kTries = 3;
+/// Straights of a way that a stage lies on, radii.
+constexpr double kStage = 4.0;
+/// ... at most so far from its ends, radii.
+constexpr double kNearCorner = 5.0;
 /// ... and the part of them that the search for a wider join may.
 constexpr int kHaste = 4;
 
@@ -107,6 +113,20 @@ class TautWay {
   std::vector<double> left_;
 };
 
+/// The places near either end of a way's straights, or in the middle of short ones, on their
+/// courses: between two of them lies one corner, or none.
+void add_stages(const std::vector<Vec2>& way, double radius, std::vector<Pose>& stages) {
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Vec2 straight = way[i] - way[i - 1];
+    const double length = straight.norm();
+    if (length < kStage * radius) continue;
+    const Vec2 course = straight / length;
+    const double off = std::min(kNearCorner * radius, 0.5 * length);
+    stages.push_back({way[i - 1] + off * course, course});
+    if (off < 0.5 * length) stages.push_back({way[i] - off * course, course});
+  }
+}
+
 std::string at_text(const Vec2& local, const Frame& frame) {
   const Vec2 p = frame.to_file(local);
   return fmt::format("({:.1f}, {:.1f})", p.x(), p.y());
@@ -161,6 +181,12 @@ struct Connector::Impl {
   [[nodiscard]] std::optional<Connection> by_way(const std::vector<Cut>& from,
                                                  const std::vector<Cut>& to, bool in_sight,
                                                  PoseSearchOptions how) const;
+  [[nodiscard]] std::optional<Connection> by_stages(const std::vector<Cut>& from,
+                                                    const std::vector<Cut>& to,
+                                                    const PoseSearchOptions& how) const;
+  [[nodiscard]] std::optional<std::vector<Pose>> staged(const std::vector<Pose>& stages,
+                                                        const std::vector<Vec2>& way,
+                                                        const PoseSearchOptions& how) const;
   [[nodiscard]] std::vector<Cut> ones_with_room(const std::vector<Cut>& all, bool leaving,
                                                 const PoseSearchOptions& how) const;
   [[nodiscard]] std::vector<Vec2> written(const std::vector<Pose>& poses,
@@ -230,7 +256,6 @@ std::optional<Connection> Connector::Impl::by_way(const std::vector<Cut>& from,
   const auto leave = ones_with_room(from, true, how);
   const auto arrive = ones_with_room(to, false, how);
   if (in_sight) how.most_poses *= kPatience;
-  constexpr std::size_t kTries = 3;
   for (std::size_t k = 0; k < (in_sight ? 1 : kTries); ++k) {
     if (leave.empty() || arrive.empty()) break;
     const Cut& a = leave[std::min(k * leave.size() / kTries, leave.size() - 1)];
@@ -242,6 +267,48 @@ std::optional<Connection> Connector::Impl::by_way(const std::vector<Cut>& from,
       return in_sight ? taut.to_go_in_sight(p, water) : taut.to_go(p);
     };
     const auto poses = search_poses(a.pose, b.pose, to_go, how);
+    if (!poses) continue;
+    std::vector<Vec2> points = written(*poses, how);
+    if (points.empty()) continue;
+    return Connection{JoinKind::way, std::move(points), a.off, b.off, {}};
+  }
+  return std::nullopt;
+}
+
+/// From stage to stage; a stage that cannot be reached is left out, the last one not.
+std::optional<std::vector<Pose>> Connector::Impl::staged(const std::vector<Pose>& stages,
+                                                         const std::vector<Vec2>& way,
+                                                         const PoseSearchOptions& how) const {
+  const TautWay taut(way);
+  std::vector<Pose> poses{stages.front()};
+  for (std::size_t k = 1; k < stages.size(); ++k) {
+    const Pose& goal = stages[k];
+    const double beyond = taut.to_go(goal.position);
+    const auto to_go = [&](const Vec2& p) {
+      return std::max((p - goal.position).norm(), taut.to_go(p) - beyond);
+    };
+    const auto piece = search_poses(poses.back(), goal, to_go, how);
+    if (piece) poses.insert(poses.end(), piece->begin() + 1, piece->end());
+    if (!piece && k + 1 == stages.size()) return std::nullopt;
+  }
+  return poses;
+}
+
+/// Long ways in stages along the taut way: a search over the whole of such a way runs out of poses.
+std::optional<Connection> Connector::Impl::by_stages(const std::vector<Cut>& from,
+                                                     const std::vector<Cut>& to,
+                                                     const PoseSearchOptions& how) const {
+  const auto leave = ones_with_room(from, true, how);
+  const auto arrive = ones_with_room(to, false, how);
+  for (std::size_t k = 0; k < kTries && !leave.empty() && !arrive.empty(); ++k) {
+    const Cut& a = leave[k * leave.size() / kTries];
+    const Cut& b = arrive[k * arrive.size() / kTries];
+    const auto way = ways.find(a.pose.position, b.pose.position);
+    if (!way) break;
+    std::vector<Pose> stages{a.pose};
+    add_stages(*way, how.radius_m, stages);
+    stages.push_back(b.pose);
+    const auto poses = staged(stages, *way, how);
     if (!poses) continue;
     std::vector<Vec2> points = written(*poses, how);
     if (points.empty()) continue;
@@ -264,6 +331,7 @@ Connection Connector::join(const std::vector<Vec2>& before, const std::vector<Ve
   for (const bool in_sight : {false, true}) {
     if (auto found = impl_->by_way(from, to, in_sight, impl_->search)) return *found;
   }
+  if (auto found = impl_->by_stages(from, to, impl_->search)) return *found;
   Connection none;
   const Vec2& a = before.back();
   const Vec2& b = after.front();
@@ -292,6 +360,13 @@ std::optional<Connection> Connector::wider_join(const std::vector<Vec2>& before,
   const auto to = impl_->sides(after, true, lines);
   if (auto found = impl_->by_curve(from, to, how)) return found;
   return impl_->by_way(from, to, false, how);
+}
+
+bool Connector::has_room(const std::vector<Vec2>& line) const {
+  const auto end = impl_->sides(line, false, impl_->options);
+  const auto begin = impl_->sides(line, true, impl_->options);
+  return !impl_->ones_with_room(end, true, impl_->search).empty() &&
+         !impl_->ones_with_room(begin, false, impl_->search).empty();
 }
 
 std::vector<Vec2> Connector::curve(const Pose& from, const Pose& to) const {

@@ -55,6 +55,10 @@ class Connector {
   [[nodiscard]] std::optional<Connection> wider_join(const std::vector<Vec2>& before,
                                                      const std::vector<Vec2>& after,
                                                      double radius_m) const;
+  /// Whether the boat can come onto a line and leave it: before and behind it, or what is left of
+  /// it when as much is cut off as may be, a quarter turn or as much straight on stays in the
+  /// water.
+  [[nodiscard]] bool has_room(const std::vector<Vec2>& line) const;
   /// The shortest Dubins path between two poses that stays in the water; empty if none does.
   [[nodiscard]] std::vector<Vec2> curve(const Pose& from, const Pose& to) const;
   /// True if the path stays in the water.

@@ -127,10 +127,16 @@ InfilledRoute with_infill(const Route& route, const CoverageGrid& grid, LineWork
   Itinerary itinerary(stretches(route), shop.joins());
   const std::vector<float>& width = shop.width(1.0);
   EmptyGround empty(grid, shop, options.least_gain * median_width(width), options.smallest_m2);
+  const Connector connector(shop.ground().water,
+                            {.radius_m = shop.options().vehicle.turn_radius_m});
+  // A pass that the boat cannot turn onto or away from is none.
+  const auto detour = [&](const InfillPass& pass) {
+    if (!connector.has_room({pass.from, pass.to})) return std::numeric_limits<double>::infinity();
+    return std::max(0.0, itinerary.cheapest(pass).cost);
+  };
   InfilledRoute result;
   while (result.passes < static_cast<std::size_t>(options.most_passes)) {
-    const auto pass = empty.take_best(
-        [&](const InfillPass& p) { return std::max(0.0, itinerary.cheapest(p).cost); });
+    const auto pass = empty.take_best(detour);
     if (!pass) break;
     const Itinerary::Place place = itinerary.cheapest(*pass);
     const SurveyCurve line = place.backwards ? straight_curve(pass->to, pass->from)

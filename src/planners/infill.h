@@ -20,8 +20,9 @@ struct InfilledRoute {
 /// Looks for straight passes in kInfillHeadings headings, each a run along which a swath of the
 /// local W sweeps the most empty cells for its metres, and puts them between two lines where the
 /// detour is least; the order of the route stays. One by one, the one that brings most first, until
-/// none is worth it. Works on any route; its joins are kept but where a pass goes in between.
-/// `grid`: what the route covers, as score() gives it. Nothing worth it: the route itself.
+/// none is worth it or has room for the turns onto it and away from it. Works on any route; its
+/// joins are kept but where a pass goes in between. `grid`: what the route covers, as score() gives
+/// it. Nothing worth it: the route itself.
 [[nodiscard]] InfilledRoute with_infill(const Route& route, const CoverageGrid& grid,
                                         LineWorkshop& shop, const InfillOptions& options = {});
 /// The same for a route from anywhere: scores it, adds passes, scores again, up to `rounds` times,

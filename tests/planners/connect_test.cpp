@@ -80,6 +80,27 @@ TEST(Connect, FindsTheLongWayAroundAMoleFromCornersOfItsWalls) {
   EXPECT_LT(length, 1.1 * (80 + 20 + 80));
 }
 
+// Four moles from alternate sides: a search over the whole way runs out of poses.
+TEST(Connect, FindsALongWayAroundManyMolesInStages) {
+  Area water = basin(500, 300);
+  for (int k = 0; k < 4; ++k) {
+    const double x = 100.0 * k + 95.0;
+    water = subtract(water, {{k % 2 == 0 ? box(x, -1, x + 10, 280) : box(x, 20, x + 10, 301), {}}});
+  }
+  const Connector connector(water, {.radius_m = 1.5});
+  const auto way = connector.join({{40, 250}, {40, 150}}, {{460, 150}, {460, 50}});
+  EXPECT_TRUE(is_steerable(connector, way, 1.5));
+  EXPECT_EQ(way.kind, JoinKind::way);
+}
+
+TEST(Connect, ALineToTheWallHasRoomOnlyIfATurnFitsBeforeIt) {
+  const Connector connector(basin(100, 100), {.radius_m = 1.5});
+  EXPECT_TRUE(connector.has_room({{50, 90}, {50, 99.9}}));
+  EXPECT_FALSE(connector.has_room({{50, 98.9}, {50, 99.9}}));
+  EXPECT_FALSE(connector.has_room({{50, 99.9}, {50, 98.9}}));
+  EXPECT_TRUE(connector.has_room({{50, 99.9}, {52, 99.9}}));
+}
+
 TEST(Connect, AChannelNarrowerThanTwiceTheRadiusIsPassedButNotTurnedIn) {
   const Connector connector(basin(120, 8), {.radius_m = 10.0});
   const auto through = connector.join({{10, 4}, {30, 4}}, {{60, 4}, {90, 4}});
