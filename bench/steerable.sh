@@ -1,24 +1,30 @@
 #!/usr/bin/env bash
 # Measures the tables of docs/results-steerable.md and prints them as Markdown rows. Run after
 # ./dev build.
-#   bench/steerable.sh steer|noise|usv|smooth [harbour grid]   the grid: with 'steer', at 0.25 m
+#   bench/steerable.sh steer|noise|usv|smooth|joins|rows [harbour grid]   the grid: with 'steer', at
+#   0.25 m
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program=build/release/bin/swathplan
 out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+trap 'rm -rf "$out" "$out.cpu"' EXIT
 planners="back-and-forth multi-depth nuc mdnuc fitted-lines"
 
 # one PLANNER FILE FORMAT OPTIONS...: plans, and prints FORMAT with the score's figures in it
 one() {
   local planner=$1 file=$2 format=$3
   shift 3
-  "$program" plan "$file" --planner "$planner" -o "$out" --hit-only --quiet "$@" >/dev/null 2>&1
-  python3 -c 'import json, sys
+  local TIMEFORMAT=%U
+  { time "$program" plan "$file" --planner "$planner" -o "$out" --hit-only --quiet "$@" >/dev/null 2>&1; } 2>"$out.cpu"
+  python3 -c 'import json, re, sys
 s = json.load(open(sys.argv[1] + "/score.json"))
 p = json.load(open(sys.argv[1] + "/plan.json"))
 s["loops"] = next((n.split()[0] for n in p["notes"] if "by a loop" in n), "0")
 s["hours"] = s["duration_s"] / 3600
+s["cpu_s"] = float(open(sys.argv[1] + ".cpu").read())
+note = next((n for n in p["notes"] if "joins smoothed" in n), "")
+joins = re.search(r"(\d+) of (\d+) joins.* from (\S+) to (\S+) 1/m", note)
+s["joins"] = "{} of {}, {} to {}".format(*joins.groups()) if joins else "arcs"
 print(" | " + sys.argv[2].format(**s), end="")' "$out" "$format"
 }
 
@@ -74,6 +80,22 @@ case ${1:-steer} in
       row "saddle, $smooth" "nuc mdnuc" $saddle "$format" --depth-bands 4 --smooth $smooth
       row "shaft, $smooth" "nuc mdnuc" datasets/shaft.obj "$format" --smooth $smooth
       row "harbour, $smooth" "nuc mdnuc" datasets/harbour.asc "$format" --smooth $smooth
+    done
+    ;;
+  joins)  # bends of joins, with arcs and smoothed
+    which="back-and-forth multi-depth fitted-lines"
+    for smooth in none ipopt; do
+      format='{coverage_hit_pct:.2f} ({coverage_hit_logged_pct:.1f}) [{length_ratio:.3f}], {joins}, {cpu_s:.1f} s'
+      row "saddle, $smooth" "$which" $saddle "$format" --depth-bands 4 --smooth $smooth
+      row "shaft, $smooth" "$which" datasets/shaft.obj "$format" --smooth $smooth
+      row "harbour, $smooth" "$which" datasets/harbour.asc "$format" --smooth $smooth
+    done
+    ;;
+  rows)  # turns wider than the rows are apart
+    for vehicle in launch auv; do
+      format='{coverage_hit_pct:.1f} ({coverage_hit_logged_pct:.1f}) [{length_ratio:.2f}], {infeasible_legs}, {infeasible_m:.0f}'
+      row "harbour, $vehicle" "back-and-forth multi-depth" datasets/harbour.asc "$format" --vehicle $vehicle
+      row "saddle, $vehicle" "back-and-forth multi-depth" $saddle "$format" --depth-bands 4 --vehicle $vehicle
     done
     ;;
 esac

@@ -11,6 +11,7 @@
 #include "mesh/area_query.h"
 #include "planners/line_poses.h"
 #include "planners/pose_search.h"
+#include "planners/taut_way_internal.h"
 #include "planners/water_path.h"
 
 namespace swathplan {
@@ -24,14 +25,10 @@ constexpr double kCutStep = 0.25;
 constexpr double kMostCut = 4.0;
 /// Times as many poses as else that the last search may take.
 constexpr int kPatience = 4;
-/// Places at which a line is left and the next begun that searches try.
-constexpr std::size_t kTries = 3;
-/// Straights of a way that a stage lies on, radii.
-constexpr double kStage = 4.0;
-/// ... at most so far from its ends, radii.
-constexpr double kNearCorner = 5.0;
 /// ... and the part of them that the search for a wider join may.
 constexpr int kHaste = 4;
+/// Places at which a line is left and the next begun that searches try.
+constexpr std::size_t kTries = 3;
 
 Pose turned_back(const Pose& pose) { return {pose.position, -pose.course}; }
 
@@ -64,67 +61,6 @@ std::vector<Cut> any_course(const Vec2& at) {
     result.push_back({0.0, {at, {cos(a), sin(a)}}});
   }
   return result;
-}
-
-/// What is left to go along a taut way from near it.
-class TautWay {
- public:
-  explicit TautWay(std::vector<Vec2> points) : points_(std::move(points)), left_(points_.size()) {
-    for (std::size_t i = points_.size() - 1; i-- > 0;) {
-      left_[i] = left_[i + 1] + (points_[i + 1] - points_[i]).norm();
-    }
-  }
-
-  /// Metres from p over the nearest of the way's points to its end.
-  [[nodiscard]] double to_go(const Vec2& p) const {
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < points_.size(); ++i) best = std::min(best, by(i, p).metres);
-    return best;
-  }
-
-  /// The same over a point that p sees: where the way doubles back around a mole, its far end may
-  /// be near and yet a long way off.
-  [[nodiscard]] double to_go_in_sight(const Vec2& p, const AreaQuery& water) const {
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
-      const Over over = by(i, p);
-      if (over.metres >= best) continue;
-      const double apart = (over.point - p).norm();
-      if (water.inside_length(p, over.point) >= apart - kHidden) best = over.metres;
-    }
-    return std::isfinite(best) ? best : left_.front() + (points_.front() - p).norm();
-  }
-
- private:
-  static constexpr double kHidden = 0.5;  ///< metres of land that do not hide a point
-
-  struct Over {
-    double metres;
-    Vec2 point;
-  };
-  [[nodiscard]] Over by(std::size_t i, const Vec2& p) const {
-    const Vec2 u = points_[i + 1] - points_[i];
-    const double t = std::clamp((p - points_[i]).dot(u) / std::max(u.squaredNorm(), 1e-12), 0., 1.);
-    const Vec2 point = points_[i] + t * u;
-    return {(p - point).norm() + left_[i] - t * u.norm(), point};
-  }
-
-  std::vector<Vec2> points_;
-  std::vector<double> left_;
-};
-
-/// The places near either end of a way's straights, or in the middle of short ones, on their
-/// courses: between two of them lies one corner, or none.
-void add_stages(const std::vector<Vec2>& way, double radius, std::vector<Pose>& stages) {
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const Vec2 straight = way[i] - way[i - 1];
-    const double length = straight.norm();
-    if (length < kStage * radius) continue;
-    const Vec2 course = straight / length;
-    const double off = std::min(kNearCorner * radius, 0.5 * length);
-    stages.push_back({way[i - 1] + off * course, course});
-    if (off < 0.5 * length) stages.push_back({way[i] - off * course, course});
-  }
 }
 
 std::string at_text(const Vec2& local, const Frame& frame) {
