@@ -94,8 +94,27 @@ std::optional<BlockedRows> BlockSearch::best_for(double price) {
       if (worth(outcome_of(tried), price) > worth(outcome_of(best), price)) best = tried;
     }
   }
-  if (best == base || !taken_.insert(best).second) return std::nullopt;
-  return BlockedRows{lines_for(best), base_, outcome_of(best)};
+  return best == base ? std::nullopt : taken(best);
+}
+
+std::optional<BlockedRows> BlockSearch::best_between(const Outcome& shorter,
+                                                     const Outcome& longer) {
+  const double price = (longer.cover_pct - shorter.cover_pct) /
+                       std::max(longer.length_ratio - shorter.length_ratio, 1e-9);
+  const Choice* best = nullptr;
+  for (const auto& [choice, outcome] : judged_) {
+    if (outcome.length_ratio < shorter.length_ratio * (1.0 + kApart) ||
+        outcome.length_ratio > longer.length_ratio * (1.0 - kApart)) {
+      continue;
+    }
+    if (best == nullptr || worth(outcome, price) > worth(judged_.at(*best), price)) best = &choice;
+  }
+  return best == nullptr ? std::nullopt : taken(*best);
+}
+
+std::optional<BlockedRows> BlockSearch::taken(const Choice& choice) {
+  if (!taken_.insert(choice).second) return std::nullopt;
+  return BlockedRows{lines_for(choice), base_, outcome_of(choice)};
 }
 
 }  // namespace swathplan

@@ -30,6 +30,12 @@ class BlockSearch {
   /// was judged for one price is not judged again for the next.
   [[nodiscard]] std::optional<BlockedRows> best_for(double price);
 
+  /// Of the rows judged so far whose lengths lie between those of two outcomes, and kApart off
+  /// both, those farthest above the chord from one to the other. Empty: there are none.
+  [[nodiscard]] std::optional<BlockedRows> best_between(const Outcome& shorter,
+                                                        const Outcome& longer);
+
+  static constexpr double kApart = 0.01;  ///< share of a length
   static constexpr std::size_t kMostBlocks = 6;
   static constexpr double kLeastShare = 0.04;  ///< of the area, of a block that is laid anew
 
@@ -39,6 +45,8 @@ class BlockSearch {
   void add_layouts(std::size_t block);
   [[nodiscard]] std::vector<SurveyCurve> lines_for(const Choice& choice) const;
   [[nodiscard]] const Outcome& outcome_of(const Choice& choice);
+  /// The rows, unless they were handed out before.
+  [[nodiscard]] std::optional<BlockedRows> taken(const Choice& choice);
 
   StraightCandidate base_;
   int coarse_;

@@ -15,7 +15,7 @@
 namespace swathplan {
 namespace {
 
-/// Rays that candidates may cost in all.
+/// Rays that candidates may cost in all: half a minute of one core.
 constexpr double kRays = 4e8;
 constexpr int kMostCandidates = 220;
 constexpr int kFewestCandidates = 30;
@@ -29,9 +29,9 @@ constexpr std::size_t kFewFinalists = 3;
 /// Prices of infill, as shares of W that a metre must bring: dear ones first.
 constexpr double kInfillGains[] = {0.3, 0.13, 0.07};
 /// Choices differ in length by at least this share.
-constexpr double kBand = 0.008;
+constexpr double kBand = 0.005;
 /// Infill is tried on so many plans: the best at these prices, in points an ideal length, in turn.
-const std::vector<double> kInfillPrices = {kWorthPerRatio, 9.0, 12.0, 1.5};
+constexpr double kInfillPrices[] = {kWorthPerRatio, 9.0, 12.0, 1.5};
 constexpr std::size_t kInfillOn = 4;
 constexpr std::size_t kInfillOnLarge = 2;
 
@@ -79,8 +79,9 @@ std::vector<Outcome> outcomes_of(const std::vector<Finished>& plans) {
 /// Adds to `plans` what infill makes of the best of them.
 void infill_best(std::vector<Finished>& plans, LineWorkshop& shop) {
   const std::vector<Outcome> outcomes = outcomes_of(plans);
-  const std::vector<std::size_t> best = spread(outcomes, pareto_front(outcomes), kInfillPrices,
-                                               is_large(shop) ? kInfillOnLarge : kInfillOn);
+  const std::vector<std::size_t> best =
+      spread(outcomes, pareto_front(outcomes), {std::begin(kInfillPrices), std::end(kInfillPrices)},
+             is_large(shop) ? kInfillOnLarge : kInfillOn);
   for (const std::size_t i : best) {
     const CoverageGrid grid = shop.score(plans[i].built.route).grid;
     std::size_t before = 0;

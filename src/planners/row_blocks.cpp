@@ -26,6 +26,7 @@ struct Row {
 
 std::vector<Row> rows_of(const std::vector<SurveyCurve>& lines, const Vec2& u, const Vec2& v) {
   std::vector<Piece> pieces;
+  pieces.reserve(lines.size());
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const double a = lines[k].points.front().dot(u);
     const double b = lines[k].points.back().dot(u);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <optional>
 
 #include "planners/block_search_internal.h"
 #include "planners/fitted_straight.h"
@@ -36,9 +38,11 @@ constexpr double kApart = 0.01;
 double kept(const LineWorkshop& shop) { return 1.0 - shop.options().lines_margin; }
 
 /// Finalists are the best at these prices, in points an ideal length: all-round, short, dense.
-const std::vector<double> kFinalistPrices = {kWorthPerRatio, 9.0, 1.5};
+constexpr double kFinalistPrices[] = {kWorthPerRatio, 9.0, 1.5};
 /// Blocks are compared on cells coarser than candidates' by this: ranks stay, for half the work.
 constexpr int kBlockCoarser = 1;
+/// Between plans whose lengths differ by this factor another is looked for.
+constexpr double kGap = 1.03;
 
 std::vector<Outcome> outcomes_of(const std::vector<JudgedCandidate>& judged) {
   std::vector<Outcome> outcomes;
@@ -176,8 +180,8 @@ class Search {
   /// The finalists: spread over the front, the most worth always among them.
   [[nodiscard]] std::vector<JudgedCandidate> exact_front() {
     const std::vector<Outcome> outcomes = outcomes_of(pool_);
-    const std::vector<std::size_t> finalists =
-        spread(outcomes, front(), kFinalistPrices, pool_.size());
+    const std::vector<std::size_t> finalists = spread(
+        outcomes, front(), {std::begin(kFinalistPrices), std::end(kFinalistPrices)}, pool_.size());
     std::vector<JudgedCandidate> list;
     for (const std::size_t i : finalists) {
       if (list.size() == budget_.finalists) break;
@@ -196,29 +200,42 @@ class Search {
   }
 
   /// Adds what mixing directions and numbers block by block makes of the finalists that are best at
-  /// each price of length.
+  /// each price of length, and between two of these what fills a gap in length.
   void add_blocked(std::vector<JudgedCandidate>& list) const {
-    const std::vector<Outcome> outcomes = outcomes_of(list);
-    std::map<std::size_t, BlockSearch> searches;
+    const std::vector<JudgedCandidate> finalists = list;
+    const std::vector<Outcome> outcomes = outcomes_of(finalists);
+    std::vector<std::size_t> all(outcomes.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::map<std::size_t, std::vector<double>> prices_of;
     for (const double price : budget_.block_prices) {
-      if (outcomes.empty()) return;
-      const auto best = static_cast<std::size_t>(
-          std::max_element(outcomes.begin(), outcomes.end(),
-                           [&](const Outcome& a, const Outcome& b) {
-                             return swathplan::worth(a, price) < swathplan::worth(b, price);
-                           }) -
-          outcomes.begin());
-      const int coarse = budget_.coarse + kBlockCoarser;
-      BlockSearch& search =
-          searches.try_emplace(best, list[best].candidate, coarse, shop_).first->second;
-      if (!search.has_blocks()) continue;
-      const auto found = search.best_for(price);
-      if (!found) continue;
-      JudgedCandidate j{found->base, found->outcome, {}};
-      j.built =
-          shop_.build(found->lines, width_of(j.candidate, shop_), angles_of(j.candidate, shop_));
-      j.outcome = shop_.judge(j.built.route, 1, found->outcome.what);
+      for (const std::size_t best : spread(outcomes, all, {price}, 1)) {
+        prices_of[best].push_back(price);
+      }
+    }
+    for (const auto& [i, prices] : prices_of) add_blocked(finalists[i].candidate, prices, list);
+  }
+
+  void add_blocked(const StraightCandidate& base, const std::vector<double>& prices,
+                   std::vector<JudgedCandidate>& list) const {
+    BlockSearch search(base, budget_.coarse + kBlockCoarser, shop_);
+    if (!search.has_blocks()) return;
+    std::vector<Outcome> found;
+    const auto add = [&](const std::optional<BlockedRows>& rows) {
+      if (!rows) return;
+      found.push_back(rows->outcome);
+      JudgedCandidate j{rows->base, rows->outcome, {}};
+      j.built = shop_.build(rows->lines, width_of(base, shop_), angles_of(base, shop_));
+      j.outcome = shop_.judge(j.built.route, 1, rows->outcome.what);
       list.push_back(std::move(j));
+    };
+    for (const double price : prices) add(search.best_for(price));
+    const std::vector<Outcome> ends = found;
+    const std::vector<std::size_t> order = pareto_front(ends);
+    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+      const Outcome& shorter = ends[order[k]];
+      const Outcome& longer = ends[order[k + 1]];
+      if (longer.length_ratio < kGap * shorter.length_ratio) continue;
+      add(search.best_between(shorter, longer));
     }
   }
 

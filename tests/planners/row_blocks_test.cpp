@@ -116,6 +116,12 @@ TEST(BlockSearch, FindsNothingWorseThanItsBaseAndShorterPlansForDearerMetres) {
   EXPECT_GT(worth(dense->outcome, 0.2), worth(before, 0.2));
   EXPECT_GT(worth(brief->outcome, 20.0), worth(before, 20.0));
   EXPECT_LT(brief->outcome.length_ratio, dense->outcome.length_ratio);
+  const auto between = search.best_between(brief->outcome, dense->outcome);
+  if (between) {
+    EXPECT_GT(between->outcome.length_ratio, brief->outcome.length_ratio);
+    EXPECT_LT(between->outcome.length_ratio, dense->outcome.length_ratio);
+  }
+  EXPECT_FALSE(search.best_between(brief->outcome, brief->outcome));
   EXPECT_FALSE(search.best_for(20.0)) << "the same rows are not worth a second look";
 }
 
