@@ -87,8 +87,10 @@ void add_scoring_options(CLI::App& command, SurveyOptions& o) {
       ->capture_default_str()
       ->group(group);
   command
-      .add_option("--noise", o.noise,
-                  "Tracking errors: none, calm (0.3 m, 2 deg) or rough (1 m, 4 deg)")
+      .add_option(
+          "--noise", o.noise,
+          "Tracking errors: none, calm (0.3 m, 2 deg) or rough (1 m, 4 deg); plans are judged "
+          "with them")
       ->check(CLI::IsMember({"none", "calm", "rough"}))
       ->capture_default_str()
       ->group(group);
@@ -195,8 +197,8 @@ void add_planning_options(CLI::App& command, SurveyOptions& o) {
   command
       .add_option(
           "--line-margin", o.line_margin_pct,
-          "fitted-lines, edge-following: per cent of the swath kept in reserve against drift and a "
-          "wrong map")
+          "fitted-lines, edge-following: per cent of the swath by which neighbours overlap, in "
+          "reserve against drift and a wrong map; plans are judged without it")
       ->capture_default_str()
       ->group(group);
 }

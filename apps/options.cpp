@@ -92,7 +92,7 @@ void set_if(T& value, const std::optional<double>& given) {
   if (given) value = *given;
 }
 
-void require(bool good, const char* option, double value, const char* rule) {
+void require(bool good, const char* option, double value, std::string_view rule) {
   if (!good || !std::isfinite(value)) {
     throw UsageError(fmt::format("{} {:g}; {}", option, value, rule));
   }
@@ -181,6 +181,32 @@ Vehicle vehicle_of(const SurveyOptions& o) {
   return vehicle;
 }
 
+namespace {
+
+TrackNoise noise_of(const SurveyOptions& o) {
+  TrackNoise noise;
+  noise.seed = o.seed;
+  if (o.noise == "calm" || o.noise == "rough") {
+    const bool calm = o.noise == "calm";
+    noise.lateral_sigma_m = calm ? 0.3 : 1.0;
+    noise.heading_sigma = Angle::degrees(calm ? 2.0 : 4.0);
+  }
+  set_if(noise.lateral_sigma_m, o.lateral_sigma_m);
+  set_if(noise.heave_sigma_m, o.heave_sigma_m);
+  if (o.heading_sigma_deg) noise.heading_sigma = Angle::degrees(*o.heading_sigma_deg);
+  if (o.roll_sigma_deg) noise.roll_sigma = Angle::degrees(*o.roll_sigma_deg);
+  const auto sigma = [](const char* option, double value) {
+    require(value >= 0.0, option, value, "must be 0 or more");
+  };
+  sigma("--lateral-sigma", noise.lateral_sigma_m);
+  sigma("--heading-sigma", noise.heading_sigma.deg());
+  sigma("--roll-sigma", noise.roll_sigma.deg());
+  sigma("--heave-sigma", noise.heave_sigma_m);
+  return noise;
+}
+
+}  // namespace
+
 PlanOptions plan_options(const SurveyOptions& o, const Frame& frame) {
   PlanOptions result;
   result.sonar = sonar_of(o);
@@ -226,9 +252,10 @@ PlanOptions plan_options(const SurveyOptions& o, const Frame& frame) {
         "--hit-only out");
   }
   result.cover = o.cover == "footprint" ? Cover::footprint : Cover::hit;
-  require(o.line_margin_pct >= 0.0 && o.line_margin_pct < 90.0, "--line-margin", o.line_margin_pct,
-          "must be at least 0 and under 90 per cent");
+  require(o.line_margin_pct >= 0.0 && o.line_margin_pct <= 100.0 * kMostMargin, "--line-margin",
+          o.line_margin_pct, fmt::format("must be 0 to {:g} per cent", 100.0 * kMostMargin));
   result.lines_margin = o.line_margin_pct / 100.0;
+  result.noise = noise_of(o);
   return result;
 }
 
@@ -244,23 +271,7 @@ ScoreOptions score_options(const SurveyOptions& o) {
   result.nodata = o.nodata == "open" ? Nodata::open : Nodata::wall;
   result.footprint = !o.hit_only;
   result.threads = o.threads;
-  result.noise.seed = o.seed;
-  if (o.noise == "calm" || o.noise == "rough") {
-    const bool calm = o.noise == "calm";
-    result.noise.lateral_sigma_m = calm ? 0.3 : 1.0;
-    result.noise.heading_sigma = Angle::degrees(calm ? 2.0 : 4.0);
-  }
-  set_if(result.noise.lateral_sigma_m, o.lateral_sigma_m);
-  set_if(result.noise.heave_sigma_m, o.heave_sigma_m);
-  if (o.heading_sigma_deg) result.noise.heading_sigma = Angle::degrees(*o.heading_sigma_deg);
-  if (o.roll_sigma_deg) result.noise.roll_sigma = Angle::degrees(*o.roll_sigma_deg);
-  const auto sigma = [](const char* option, double value) {
-    require(value >= 0.0, option, value, "must be 0 or more");
-  };
-  sigma("--lateral-sigma", result.noise.lateral_sigma_m);
-  sigma("--heading-sigma", result.noise.heading_sigma.deg());
-  sigma("--roll-sigma", result.noise.roll_sigma.deg());
-  sigma("--heave-sigma", result.noise.heave_sigma_m);
+  result.noise = noise_of(o);
   return result;
 }
 

@@ -150,10 +150,11 @@ std::string choices_table(const Plan& plan) {
   for (std::size_t i = 0; i < plan.choices.size(); ++i) {
     const Outcome& o = plan.choices[i];
     text += fmt::format(
-        "{} {:>6.2f} % {} over {:>7.0f} m ({:.2f} ideal lengths, {} turns{}): {}\n",
-        i == plan.chosen ? '*' : ' ', o.cover_pct, name(o.cover), o.length_m, o.length_ratio,
-        o.turns, o.infeasible_legs > 0 ? fmt::format(", {} infeasible", o.infeasible_legs) : "",
-        o.what);
+        "{} {:>6.2f} % {}{} over {:>7.0f} m ({:.2f} ideal lengths, {} turns{}): {}\n",
+        i == plan.chosen ? '*' : ' ', expected_cover_pct(o), name(o.cover),
+        o.whole_cover_pct ? fmt::format(" ({:.2f} % without the margin)", o.cover_pct) : "",
+        o.length_m, o.length_ratio, o.turns,
+        o.infeasible_legs > 0 ? fmt::format(", {} infeasible", o.infeasible_legs) : "", o.what);
   }
   return text;
 }

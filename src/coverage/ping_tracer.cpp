@@ -124,14 +124,14 @@ std::uint64_t count_run(std::span<const std::uint32_t> cells, std::uint32_t code
 }  // namespace
 
 PingTracer::PingTracer(const RayScene& scene, const Sonar& sonar, double draft_m,
-                       const CoverageGrid& grid, Bands bands, bool footprints)
+                       const CoverageGrid& grid, Bands bands, bool footprints, double swath_share)
     : scene_(&scene),
       sonar_(&sonar),
       draft_(draft_m),
       grid_(&grid),
       bands_(bands),
       footprints_(footprints),
-      tables_(sonar),
+      tables_(sonar, swath_share),
       sweep_(sonar) {}
 
 void PingTracer::trace(std::span<const Ping> pings, BlockTrace& block) {

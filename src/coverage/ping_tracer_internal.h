@@ -32,7 +32,7 @@ struct BlockTrace {
 class PingTracer {
  public:
   PingTracer(const RayScene& scene, const Sonar& sonar, double draft_m, const CoverageGrid& grid,
-             Bands bands, bool footprints);
+             Bands bands, bool footprints, double swath_share);
 
   void trace(std::span<const Ping> pings, BlockTrace& block);
 

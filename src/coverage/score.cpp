@@ -33,6 +33,10 @@ void check(const Route& route, const Sonar& sonar, const ScoreOptions& options) 
     throw UsageError(
         fmt::format("range of the sonar = {} m; must be greater than 0", sonar.max_range_m));
   }
+  if (!(options.swath_share > 0.0) || options.swath_share > 1.0) {
+    throw UsageError(
+        fmt::format("share of the swath = {}; must be above 0 and at most 1", options.swath_share));
+  }
   if (options.threads < 0) {
     throw UsageError(fmt::format("threads = {}; must be 0 (all cores) or more", options.threads));
   }
@@ -131,8 +135,9 @@ class Scorer {
         walker_(route, options.ping_spacing_m, options.noise),
         arena_(arena),
         bands_{bands_for(arena_.max_concurrency())},
-        tracers_([&ground, &sonar, draft_m, &grid, bands = bands_, footprint = options.footprint] {
-          return PingTracer(*ground.scene, sonar, draft_m, grid, bands, footprint);
+        tracers_([&ground, &sonar, draft_m, &grid, &options, bands = bands_] {
+          return PingTracer(*ground.scene, sonar, draft_m, grid, bands, options.footprint,
+                            options.swath_share);
         }) {
     const auto threads = static_cast<std::size_t>(arena_.max_concurrency());
     pings_.resize(threads * kBlocksPerThread);

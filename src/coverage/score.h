@@ -19,7 +19,10 @@ struct ScoreOptions {
   Nodata nodata = Nodata::wall;  ///< for the record: the scene was built with it
   TrackNoise noise;
   bool footprint = true;  ///< also score beam footprints
-  int threads = 0;        ///< 0: all cores; the result does not depend on it
+  /// Of each side of a swath, from nadir out, this share counts, (0, 1]; beams beyond it are not
+  /// traced. Under 1: what is left where the outer part is lost to drift or a wrong map.
+  double swath_share = 1.0;
+  int threads = 0;  ///< 0: all cores; the result does not depend on it
   /// Called now and then with the share done [0, 1] and rays traced so far; may be empty.
   std::function<void(double, std::uint64_t)> progress;
 };

@@ -57,7 +57,7 @@ Json choices_json(const PlanFacts& facts) {
   Json list = Json::array();
   for (std::size_t i = 0; i < facts.choices.size(); ++i) {
     const Outcome& o = facts.choices[i];
-    list.push_back({{fmt::format("coverage_{}_pct", name(o.cover)), o.cover_pct},
+    list.push_back({{fmt::format("coverage_{}_pct", name(o.cover)), expected_cover_pct(o)},
                     {"length_ratio", o.length_ratio},
                     {"length_m", o.length_m},
                     {"turns", o.turns},
@@ -65,6 +65,7 @@ Json choices_json(const PlanFacts& facts) {
                     {"infeasible_legs", o.infeasible_legs},
                     {"made_of", o.what},
                     {"picked", i == facts.chosen}});
+    if (o.whole_cover_pct) list.back()["coverage_within_margin_pct"] = o.cover_pct;
   }
   return list;
 }

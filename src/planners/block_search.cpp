@@ -77,7 +77,7 @@ const Outcome& BlockSearch::outcome_of(const Choice& choice) {
   const auto [it, fresh] = judged_.try_emplace(choice);
   if (fresh) {
     const std::vector<SurveyCurve> lines = lines_for(choice);
-    it->second = shop_.estimate(lines, width_of(base_, shop_), angles_of(base_, shop_), coarse_,
+    it->second = shop_.estimate(lines, width_of(base_, shop_), angles_of(base_), coarse_,
                                 fmt::format("{} lines, block by block, most at {:.0f} degrees",
                                             lines.size(), base_.azimuth_deg));
   }

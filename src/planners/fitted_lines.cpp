@@ -79,9 +79,13 @@ std::vector<Outcome> outcomes_of(const std::vector<Finished>& plans) {
 /// Adds to `plans` what infill makes of the best of them.
 void infill_best(std::vector<Finished>& plans, LineWorkshop& shop) {
   const std::vector<Outcome> outcomes = outcomes_of(plans);
-  const std::vector<std::size_t> best =
-      spread(outcomes, pareto_front(outcomes), {std::begin(kInfillPrices), std::end(kInfillPrices)},
-             is_large(shop) ? kInfillOnLarge : kInfillOn);
+  const std::vector<std::size_t> front = pareto_front(outcomes);
+  std::vector<std::size_t> best = about_the_goal(outcomes, front, shop.options().goal);
+  for (const std::size_t i :
+       spread(outcomes, front, {std::begin(kInfillPrices), std::end(kInfillPrices)},
+              is_large(shop) ? kInfillOnLarge : kInfillOn)) {
+    if (std::find(best.begin(), best.end(), i) == best.end()) best.push_back(i);
+  }
   for (const std::size_t i : best) {
     const CoverageGrid grid = shop.score(plans[i].built.route).grid;
     std::size_t before = 0;
@@ -111,8 +115,8 @@ constexpr double kPingsACell = 2.0;
 /// Lines along fronts from the area's long walls.
 void add_field_plans(std::vector<Finished>& plans, LineWorkshop& shop) {
   const PlanOptions& options = shop.options();
-  const double reserve = 1.0 - options.lines_margin;
-  const std::vector<float>& width = shop.width(kFieldGap * reserve);
+  const double counted = counted_share(options);
+  const std::vector<float>& width = shop.width(kFieldGap);
   // Walls are straight to a tenth of a footprint: quays have steps and bollards.
   const double tolerance = 0.1 * footprint_width_m(options);
   const int passes = options.resolution_m >= kPingsACell * options.ping_spacing_m ? 60 : 200;
@@ -126,7 +130,7 @@ void add_field_plans(std::vector<Finished>& plans, LineWorkshop& shop) {
     ++number;
     for (const double spacing : kFieldSpacings) {
       const auto lines = field_lines(shop.raster(), width, shop.lines_in(), wall, tolerance,
-                                     {.spacing = spacing * reserve, .smooth_passes = passes});
+                                     {.spacing = spacing * counted, .smooth_passes = passes});
       if (lines.empty()) continue;
       const std::string what =
           fmt::format("field lines from wall {}, {:.2f} swaths apart", number, spacing);
@@ -197,7 +201,13 @@ Plan plan_fitted_lines(const PlanningGround& ground, const PlanOptions& options)
   infill_best(plans, shop);
   Plan plan;
   const auto kept = choices_of(plans);
-  for (const std::size_t i : kept) plan.choices.push_back(plans[i].outcome);
+  for (const std::size_t i : kept) {
+    plan.choices.push_back(plans[i].outcome);
+    if (options.lines_margin > 0.0) {
+      const Score whole = shop.score(plans[i].built.route, 1, Swath::whole).score;
+      plan.choices.back().whole_cover_pct = shop.cover_pct(whole);
+    }
+  }
   const Pick picked = pick(plan.choices, options.goal);
   plan.chosen = picked.index;
   plan.chosen_why = picked.why;

@@ -44,6 +44,7 @@ EmptyGround::EmptyGround(const CoverageGrid& grid, LineWorkshop& shop, double le
                          double smallest_m2)
     : shop_(shop),
       width_(shop.width(1.0)),
+      sure_(kSureShare * counted_share(shop.options())),
       least_gain_(least_gain_m),
       bin_(std::max(kFinestBin, 1.5 * shop.raster().cell_m())),
       empties_(gather(grid, shop, smallest_m2)) {
@@ -84,7 +85,7 @@ EmptyGround::EmptyGround(const CoverageGrid& grid, LineWorkshop& shop, double le
 
 double EmptyGround::swath_gain(const Heading& h, std::size_t column, std::size_t row,
                                double width) const {
-  const auto half = static_cast<std::ptrdiff_t>(0.5 * kSureShare * width / bin_);
+  const auto half = static_cast<std::ptrdiff_t>(0.5 * sure_ * width / bin_);
   const auto r = static_cast<std::ptrdiff_t>(row);
   const std::ptrdiff_t last = std::min(static_cast<std::ptrdiff_t>(h.rows) - 1, r + half);
   double gain = 0.0;
@@ -137,7 +138,7 @@ void EmptyGround::sweep(const InfillPass& pass) {
     const double s = (p - pass.from).dot(along);
     if (s < 0.0 || s > length) continue;
     const auto i = shop_.raster().cell_at(pass.from + s * along);
-    const double half = i ? 0.5 * kSureShare * static_cast<double>(width_[*i]) : 0.0;
+    const double half = i ? 0.5 * sure_ * static_cast<double>(width_[*i]) : 0.0;
     if ((p - pass.from - s * along).norm() > half) continue;
     for (Heading& h : headings_) {
       const auto c = static_cast<std::size_t>((p.dot(h.along) - h.origin.x()) / bin_);

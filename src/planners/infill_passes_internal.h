@@ -43,6 +43,7 @@ class EmptyGround {
 
   LineWorkshop& shop_;
   const std::vector<float>& width_;
+  double sure_;  ///< share of the swath that a pass may count on
   double least_gain_;
   double bin_;
   std::vector<std::pair<Vec2, double>> empties_;  ///< centre, square metres

@@ -131,7 +131,7 @@ class SideReach {
                : gap_free_width_m(options_, below(p), options_.resolution_m);
   }
   [[nodiscard]] double edge_distance(const Vec2& p, const Vec2& side) const {
-    const double most = how_.widest_share * width_at(p);
+    const double most = counted_share(options_) * how_.widest_share * width_at(p);
     for (const auto& [t0, t1] : area_.clip(p, p + most * side)) {
       if (t0 * most < kPastEdge + 0.5 * raster_.cell_m()) {
         return std::min(most, t1 * most + kPastEdge);
@@ -164,8 +164,11 @@ std::vector<double> joined(const std::vector<double>& tangents) {
   return result;
 }
 
-Angle half_angle(double tangent, const Sonar& sonar) {
-  return Angle::radians(std::clamp(std::atan(tangent), Angle::degrees(kLeastSideDeg).rad(),
+/// The half-angle whose counted share reaches `tangent`.
+Angle half_angle(double tangent, const PlanOptions& options) {
+  const Sonar& sonar = options.sonar;
+  return Angle::radians(std::clamp(std::atan(tangent / counted_share(options)),
+                                   Angle::degrees(kLeastSideDeg).rad(),
                                    0.5 * sonar.max_opening.rad()));
 }
 
@@ -204,8 +207,7 @@ std::vector<std::vector<Waypoint>> opened_lines(const std::vector<SurveyCurve>& 
     point.speed_mps = options.vehicle.speed_mps;
     for (std::size_t i = 0; i < n; ++i) {
       point.position = points[i];
-      point.fan =
-          FanAngles{half_angle(left[i], options.sonar), half_angle(right[i], options.sonar)};
+      point.fan = FanAngles{half_angle(left[i], options), half_angle(right[i], options)};
       result[k].push_back(point);
     }
     point.position = points.back();

@@ -116,7 +116,7 @@ BuiltRoute LineWorkshop::finished(BuiltRoute built) const {
   return built;
 }
 
-ScoredRoute LineWorkshop::score(const Route& route, int coarse) const {
+ScoredRoute LineWorkshop::score(const Route& route, int coarse, Swath swath) const {
   const ScoringGround scoring{ground_.seafloor, ground_.depths, ground_.scene, ground_.survey_area,
                               ground_.water};
   ScoreOptions how;
@@ -124,6 +124,8 @@ ScoredRoute LineWorkshop::score(const Route& route, int coarse) const {
   how.ping_spacing_m = coarse * options_.ping_spacing_m;
   how.holiday_m2 = 1e9;
   how.footprint = options_.cover == Cover::footprint;
+  how.swath_share = swath == Swath::counted ? counted_share(options_) : 1.0;
+  how.noise = options_.noise;
   how.threads = options_.threads;
   Sonar sonar = options_.sonar;
   sonar.beams = std::max(2, sonar.beams / coarse);

@@ -14,6 +14,9 @@
 
 namespace swathplan {
 
+/// What of each swath is scored: what the options' margin leaves of it, or all.
+enum class Swath { counted, whole };
+
 /// What all candidates of one area share: rasters, queries and the simulator. `ground` and
 /// `options` must outlive it.
 class LineWorkshop {
@@ -46,7 +49,8 @@ class LineWorkshop {
   /// Scores a route on the simulator. `coarse` > 1 makes cells, pings and beams that much coarser
   /// and the beams' footprints that much wider: about the same share of cells at that much less
   /// work, squared.
-  [[nodiscard]] ScoredRoute score(const Route& route, int coarse = 1) const;
+  [[nodiscard]] ScoredRoute score(const Route& route, int coarse = 1,
+                                  Swath swath = Swath::counted) const;
   /// The share of cells that is covered, as the options count them, %.
   [[nodiscard]] double cover_pct(const Score& score) const;
   /// Whether cell i of a scored grid is.

@@ -24,7 +24,7 @@ std::size_t best_of(const std::vector<Outcome>& outcomes,
   return best;
 }
 
-bool any(const Outcome& outcome) { return outcome.length_ratio >= 0.0; }
+bool every(const Outcome& outcome) { return outcome.length_ratio >= 0.0; }
 double infeasible_points(const Outcome& outcome) {
   return kWorthPerInfeasible * static_cast<double>(outcome.infeasible_legs);
 }
@@ -42,13 +42,17 @@ Pick within(const std::vector<Outcome>& outcomes, const std::string& limit,
             const std::function<bool(const Outcome&)>& may) {
   const std::size_t found = best_of(outcomes, coverage, may);
   if (found != kNone) return {found, fmt::format("the most coverage within {}", limit)};
-  return {best_of(outcomes, shortness, any),
+  return {best_of(outcomes, shortness, every),
           fmt::format("the shortest plan: none stays within {}", limit)};
 }
 
 }  // namespace
 
 const char* name(Cover cover) { return cover == Cover::footprint ? "footprint" : "hit"; }
+
+double expected_cover_pct(const Outcome& outcome) {
+  return outcome.whole_cover_pct.value_or(outcome.cover_pct);
+}
 
 std::vector<std::size_t> pareto_front(const std::vector<Outcome>& outcomes) {
   std::vector<std::size_t> order(outcomes.size());
@@ -98,7 +102,7 @@ Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal) {
       return {found,
               fmt::format("the shortest plan with at least {:g} % coverage", *goal.coverage_pct)};
     }
-    return {best_of(outcomes, coverage, any),
+    return {best_of(outcomes, coverage, every),
             fmt::format("the most coverage: no plan reaches {:g} %", *goal.coverage_pct)};
   }
   if (goal.length_m) {
@@ -113,10 +117,31 @@ Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal) {
                                      [](const Outcome& o) { return o.infeasible_legs == 0; });
   return {
       best_of(
-          outcomes, [](const Outcome& o) { return worth(o); }, any),
+          outcomes, [](const Outcome& o) { return worth(o); }, every),
       fmt::format(
           "the best of coverage less {:g} points for each ideal length{}", kWorthPerRatio,
           steerable ? "" : fmt::format(" and {:g} for each infeasible leg", kWorthPerInfeasible))};
+}
+
+bool any(const PlanGoal& goal) { return goal.coverage_pct || goal.length_m || goal.time_s; }
+
+std::size_t pick_among(const std::vector<Outcome>& outcomes, const std::vector<std::size_t>& among,
+                       const PlanGoal& goal) {
+  std::vector<Outcome> list;
+  list.reserve(among.size());
+  for (const std::size_t i : among) list.push_back(outcomes[i]);
+  return among[pick(list, goal).index];
+}
+
+std::vector<std::size_t> about_the_goal(const std::vector<Outcome>& outcomes,
+                                        const std::vector<std::size_t>& front,
+                                        const PlanGoal& goal) {
+  if (!any(goal) || front.empty()) return {};
+  const auto at = std::find(front.begin(), front.end(), pick_among(outcomes, front, goal));
+  std::vector<std::size_t> list{*at};
+  if (at + 1 != front.end()) list.push_back(*(at + 1));
+  if (at != front.begin()) list.push_back(*(at - 1));
+  return list;
 }
 
 }  // namespace swathplan

@@ -21,7 +21,11 @@ struct Outcome {
   std::string what;                 ///< how it was made, for people
   std::size_t infeasible_legs = 0;  ///< that the vehicle cannot steer as drawn
   Cover cover = Cover::hit;
+  /// Covered by whole swaths, where `cover_pct` counts only what a margin leaves of them.
+  std::optional<double> whole_cover_pct;
 };
+/// What the plan covers if all goes well, %: whole swaths.
+[[nodiscard]] double expected_cover_pct(const Outcome& outcome);
 
 /// Indices of the outcomes that no other beats: none is as short or shorter with as much or more
 /// coverage and no more infeasible legs. Shortest first; of equals the first given stays.
@@ -34,6 +38,9 @@ struct PlanGoal {
   std::optional<double> time_s;        ///< the most coverage within this time
 };
 
+/// Whether anything is.
+[[nodiscard]] bool any(const PlanGoal& goal);
+
 struct Pick {
   std::size_t index = 0;
   std::string why;  ///< one sentence
@@ -42,6 +49,17 @@ struct Pick {
 /// shortest plan. With no goal: the most of worth(). An infeasible leg counts as
 /// kWorthPerInfeasible points, or the ideal lengths that are worth as much.
 [[nodiscard]] Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal);
+
+/// The one of the outcomes at `among` (at least one) that pick() chooses.
+[[nodiscard]] std::size_t pick_among(const std::vector<Outcome>& outcomes,
+                                     const std::vector<std::size_t>& among, const PlanGoal& goal);
+
+/// Of a front (shortest first): what the goal picks, the next longer and the next shorter one,
+/// which may turn out to be what it asks for once they are judged in full or their gaps are filled;
+/// empty without a goal.
+[[nodiscard]] std::vector<std::size_t> about_the_goal(const std::vector<Outcome>& outcomes,
+                                                      const std::vector<std::size_t>& front,
+                                                      const PlanGoal& goal);
 
 /// Points of coverage that one more ideal length must bring where nothing else is asked for.
 inline constexpr double kWorthPerRatio = 4.0;

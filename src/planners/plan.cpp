@@ -10,6 +10,8 @@
 
 namespace swathplan {
 
+double counted_share(const PlanOptions& options) { return 1.0 - options.lines_margin; }
+
 double footprint_width_m(const PlanOptions& options) {
   return footprint_width_m(options.sonar, options.resolution_m);
 }

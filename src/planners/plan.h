@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "coverage/pings.h"
 #include "coverage/ray_scene.h"
 #include "coverage/route.h"
 #include "coverage/sonar.h"
@@ -65,6 +66,7 @@ struct PlanOptions {
   /// kQuadSize, and where the area holds few faces the best of several meshes (mesh_choice.h).
   std::optional<double> face_size;
   double ping_spacing_m = 0.10;  ///< that candidates are judged with, > 0
+  TrackNoise noise;              ///< that candidates are judged with
   int threads = 0;               ///< 0: all cores; no result depends on it
   DepthBands bands;
   /// Regions under this join a neighbour, m^2; empty: 0.3 of a hypotenuse squared, a little over a
@@ -82,7 +84,9 @@ struct PlanOptions {
   /// What fitted and edge-following lines are laid for and judged by. Footprints meet out to the
   /// sonar's largest opening, so lines for them lie farther apart than lines for hits.
   Cover cover = Cover::hit;
-  double lines_margin = 0.0;  ///< share of W that fitted lines keep in reserve, [0, 0.9)
+  /// Fitted and edge-following lines count on no more of either side of a swath than this leaves of
+  /// it, [0, kMostMargin]: neighbours overlap by that share of W, and plans are judged by the rest.
+  double lines_margin = 0.0;
 };
 
 /// A route and the evidence of how it came about.
@@ -100,6 +104,10 @@ struct Plan {
   std::size_t chosen = 0;
   std::string chosen_why;  ///< half a sentence
 };
+
+inline constexpr double kMostMargin = 0.4;
+/// Of either side of a swath, from nadir out, what lines count on: 1 - lines_margin.
+[[nodiscard]] double counted_share(const PlanOptions& options);
 
 /// W = beams x resolution, metres.
 [[nodiscard]] double footprint_width_m(const PlanOptions& options);

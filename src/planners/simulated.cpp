@@ -12,6 +12,7 @@ Outcome simulated_hits(const Route& route, const PlanningGround& ground,
   how.resolution_m = options.resolution_m;
   how.ping_spacing_m = options.ping_spacing_m;
   how.footprint = false;
+  how.noise = options.noise;
   how.threads = options.threads;
   const Score score = swathplan::score(route, scoring, options.sonar, options.vehicle, how).score;
   Outcome outcome;

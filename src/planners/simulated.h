@@ -5,7 +5,7 @@
 namespace swathplan {
 
 /// What a candidate route brings by hits on the seafloor of `ground`, which must hold its scene,
-/// with the sonar, cells and pings of `options`; `what` is left empty.
+/// with the sonar, cells, pings and noise of `options`; `what` is left empty.
 [[nodiscard]] Outcome simulated_hits(const Route& route, const PlanningGround& ground,
                                      const PlanOptions& options);
 

@@ -35,8 +35,6 @@ std::vector<double> directions(const LineWorkshop& shop) {
 /// Of two finalists with the same rows, lengths differ by at least this share.
 constexpr double kApart = 0.01;
 
-double kept(const LineWorkshop& shop) { return 1.0 - shop.options().lines_margin; }
-
 /// Finalists are the best at these prices, in points an ideal length: all-round, short, dense.
 constexpr double kFinalistPrices[] = {kWorthPerRatio, 9.0, 1.5};
 /// Blocks are compared on cells coarser than candidates' by this: ranks stay, for half the work.
@@ -57,8 +55,11 @@ class Search {
 
   std::vector<JudgedCandidate> run() {
     first_candidates();
+    // What is asked for may lie far from what is worth most, so every other turn is the goal's.
+    bool for_goal = false;
     while (left() > 0) {
-      const std::size_t next = most_promising();
+      for_goal = !for_goal && any(goal());
+      const std::size_t next = most_promising(for_goal);
       if (next == pool_.size()) break;
       varied_[next] = 1;
       for (const StraightCandidate& c : variations(pool_[next].candidate)) {
@@ -72,6 +73,7 @@ class Search {
   }
 
  private:
+  [[nodiscard]] const PlanGoal& goal() const { return shop_.options().goal; }
   [[nodiscard]] int left() const { return budget_.candidates - static_cast<int>(pool_.size()); }
 
   void judge(const StraightCandidate& c) {
@@ -91,8 +93,8 @@ class Search {
     return shop_.judge(built.route, budget_.coarse, describe(c));
   }
   [[nodiscard]] Outcome estimated(const StraightCandidate& c) const {
-    return shop_.estimate(lines_of(c, shop_), width_of(c, shop_), angles_of(c, shop_),
-                          budget_.coarse, describe(c));
+    return shop_.estimate(lines_of(c, shop_), width_of(c, shop_), angles_of(c), budget_.coarse,
+                          describe(c));
   }
 
   /// Directions by the metres of line that they ask for, the least first; numbers about what W
@@ -113,7 +115,8 @@ class Search {
                                  shop_.lines_in(), {.azimuth = Angle::degrees(deg)})) {
         metres += length_m(line) + 0.5 * footprint_width_m(shop_.options());
       }
-      list.push_back({deg, metres / std::ceil(rows.total()) * rows.total(), rows.total()});
+      list.push_back({deg, metres / std::ceil(rows.total()) * rows.total(),
+                      rows.total() / counted_share(shop_.options())});
     }
     std::stable_sort(list.begin(), list.end(),
                      [](const Direction& a, const Direction& b) { return a.metres < b.metres; });
@@ -128,16 +131,14 @@ class Search {
     }
   }
 
-  /// The most worth of those on the front that were not varied yet; pool_.size(): none.
-  [[nodiscard]] std::size_t most_promising() const {
-    std::size_t best = pool_.size();
-    for (const std::size_t i : front()) {
-      if (varied_[i] == 0 && (best == pool_.size() || worth(i) > worth(best))) best = i;
-    }
-    return best;
+  /// Of those on the front that were not varied yet, the most worth or what the goal picks;
+  /// pool_.size(): none.
+  [[nodiscard]] std::size_t most_promising(bool for_goal) const {
+    std::vector<std::size_t> list = front();
+    std::erase_if(list, [&](std::size_t i) { return varied_[i] != 0; });
+    if (list.empty()) return pool_.size();
+    return pick_among(outcomes_of(pool_), list, for_goal ? goal() : PlanGoal{});
   }
-
-  [[nodiscard]] double worth(std::size_t i) const { return swathplan::worth(pool_[i].outcome); }
 
   [[nodiscard]] std::vector<std::size_t> front() const {
     const std::vector<Outcome> outcomes = outcomes_of(pool_);
@@ -177,14 +178,19 @@ class Search {
     return list;
   }
 
-  /// The finalists: spread over the front, the most worth always among them.
+  /// The finalists: those about the goal, and others spread over the front.
   [[nodiscard]] std::vector<JudgedCandidate> exact_front() {
     const std::vector<Outcome> outcomes = outcomes_of(pool_);
-    const std::vector<std::size_t> finalists = spread(
-        outcomes, front(), {std::begin(kFinalistPrices), std::end(kFinalistPrices)}, pool_.size());
+    std::vector<std::size_t> finalists = about_the_goal(outcomes, front(), goal());
+    const std::size_t most = budget_.finalists + finalists.size() / 2;
+    for (const std::size_t i :
+         spread(outcomes, front(), {std::begin(kFinalistPrices), std::end(kFinalistPrices)},
+                pool_.size())) {
+      finalists.push_back(i);
+    }
     std::vector<JudgedCandidate> list;
     for (const std::size_t i : finalists) {
-      if (list.size() == budget_.finalists) break;
+      if (list.size() == most) break;
       const bool apart = std::all_of(list.begin(), list.end(), [&](const JudgedCandidate& j) {
         return std::abs(j.candidate.lines - pool_[i].candidate.lines) > 0 ||
                j.candidate.azimuth_deg != pool_[i].candidate.azimuth_deg ||
@@ -224,7 +230,7 @@ class Search {
       if (!rows) return;
       found.push_back(rows->outcome);
       JudgedCandidate j{rows->base, rows->outcome, {}};
-      j.built = shop_.build(rows->lines, width_of(base, shop_), angles_of(base, shop_));
+      j.built = shop_.build(rows->lines, width_of(base, shop_), angles_of(base));
       j.outcome = shop_.judge(j.built.route, 1, rows->outcome.what);
       list.push_back(std::move(j));
     };
@@ -258,17 +264,15 @@ std::vector<SurveyCurve> lines_of(const StraightCandidate& c, LineWorkshop& shop
 }
 
 const std::vector<float>& width_of(const StraightCandidate& c, LineWorkshop& shop) {
-  return shop.width(c.gap * kept(shop));
+  return shop.width(c.gap);
 }
 
-LineAnglesOptions angles_of(const StraightCandidate& c, const LineWorkshop& shop) {
-  return {.overlap_m = c.overlap_m,
-          .widest_share = c.widest_share / kept(shop),
-          .by_distance = c.by_distance};
+LineAnglesOptions angles_of(const StraightCandidate& c) {
+  return {.overlap_m = c.overlap_m, .widest_share = c.widest_share, .by_distance = c.by_distance};
 }
 
 BuiltRoute build(const StraightCandidate& c, LineWorkshop& shop) {
-  return shop.build(lines_of(c, shop), width_of(c, shop), angles_of(c, shop));
+  return shop.build(lines_of(c, shop), width_of(c, shop), angles_of(c));
 }
 
 std::string describe(const StraightCandidate& c) {

@@ -34,8 +34,7 @@ struct JudgedCandidate {
 /// The swath that a candidate's rows are spaced by, and how its fans open.
 [[nodiscard]] const std::vector<float>& width_of(const StraightCandidate& candidate,
                                                  LineWorkshop& shop);
-[[nodiscard]] LineAnglesOptions angles_of(const StraightCandidate& candidate,
-                                          const LineWorkshop& shop);
+[[nodiscard]] LineAnglesOptions angles_of(const StraightCandidate& candidate);
 [[nodiscard]] std::string describe(const StraightCandidate& candidate);
 
 /// How much the simulator may be asked.

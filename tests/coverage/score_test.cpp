@@ -35,6 +35,32 @@ TEST(Score, ASinglePassHitsAsManyCellsAsItsBeamsReach) {
   EXPECT_NEAR(single_pass_pct(20), 95, 1);
 }
 
+TEST(Score, CountsTheInnerShareOfEachSideOfASwath) {
+  // Sides of 10 and 20 m: of the 30 m swept, half is left, 5 and 10 m off the track.
+  const double depth = 10;
+  const Ground g(flat(100, 100, depth), Nodata::wall, rectangle(0, 40, 100, 60));
+  const FanAngles fan{Angle::degrees(45), Angle::radians(std::atan(2.0))};
+  const Route route = route_through({{50, 20}, {50, 80}}, fan);
+  ScoreOptions options;
+  options.resolution_m = 0.5;
+  options.swath_share = 0.5;
+  const ScoredRoute inner = score(route, g.ground, {}, at_the_surface(), options);
+  EXPECT_NEAR(inner.score.all.hit_pct, 15.0, 0.5);
+  EXPECT_NEAR(inner.score.all.footprint_pct.value(), 15.0, 0.5);
+  for (std::uint32_t c = 0; c < inner.grid.columns(); ++c) {
+    const double x = inner.grid.centre(c, 10).x();
+    const bool hit = inner.grid.soundings(std::size_t{10} * inner.grid.columns() + c) > 0;
+    EXPECT_EQ(hit, x > 45.0 && x < 60.0) << x;
+  }
+  options.swath_share = 1.0;
+  EXPECT_NEAR(score(route, g.ground, {}, at_the_surface(), options).score.all.hit_pct, 30.0, 0.5);
+  for (const double wrong : {0.0, 1.01, std::nan("")}) {
+    options.swath_share = wrong;
+    EXPECT_THROW(static_cast<void>(score(route, g.ground, {}, at_the_surface(), options)),
+                 UsageError);
+  }
+}
+
 TEST(Score, CountsEverySoundingInTheCellUnderIt) {
   // Cells of 1 m and pings each metre: every beam's cell is known.
   const double depth = 10;

@@ -21,9 +21,12 @@ struct Site {
     ground.water = run_out_m > 0.0 ? offset(ground.survey_area, run_out_m) : ground.survey_area;
     ground.scene = &scene;
   }
-  [[nodiscard]] Score score(const Route& route, const PlanOptions& options) const {
+  [[nodiscard]] Score score(const Route& route, const PlanOptions& options,
+                            double swath_share = 1.0, const TrackNoise& noise = {}) const {
     ScoreOptions how;
     how.resolution_m = options.resolution_m;
+    how.swath_share = swath_share;
+    how.noise = noise;
     how.footprint = options.cover == Cover::footprint;
     return swathplan::score(route, {&seafloor, &depths, &scene, ground.survey_area, ground.water},
                             options.sonar, options.vehicle, how)
@@ -95,6 +98,37 @@ TEST(FittedLines, ForFootprintsLieFartherApartThanForHits) {
   ASSERT_LT(plan.chosen, plan.choices.size());
   EXPECT_EQ(plan.choices[plan.chosen].cover, Cover::footprint);
   EXPECT_NEAR(plan.choices[plan.chosen].cover_pct, score.all.footprint_pct.value(), 1e-9);
+}
+
+TEST(FittedLines, WithAMarginStillCoverWhereSwathsLoseIt) {
+  const Site site(tilted(36.0, 28.0, 5.0, Angle::degrees(5.0)), 5.0);
+  PlanOptions options = quarter_metre();
+  options.goal.coverage_pct = 99.0;
+  const Plan bare = plan_fitted_lines(site.ground, options);
+  options.lines_margin = 0.2;
+  const Plan plan = plan_fitted_lines(site.ground, options);
+  const Outcome& chosen = plan.choices[plan.chosen];
+  EXPECT_NEAR(chosen.whole_cover_pct.value(), site.score(plan.route, options).all.hit_pct, 1e-9);
+  EXPECT_NEAR(chosen.cover_pct, site.score(plan.route, options, 0.8).all.hit_pct, 1e-9);
+  EXPECT_GE(chosen.cover_pct, 99.0);
+  // What it is bought from: neighbours of the plan without a margin just meet.
+  EXPECT_LT(site.score(bare.route, options, 0.8).all.hit_pct, 95.0);
+  EXPECT_FALSE(bare.choices[bare.chosen].whole_cover_pct.has_value());
+}
+
+TEST(FittedLines, AreJudgedWithTheNoiseThatIsExpected) {
+  const Site site(tilted(36.0, 28.0, 5.0, Angle::degrees(5.0)), 5.0);
+  PlanOptions options = quarter_metre();
+  options.goal.coverage_pct = 99.0;
+  options.noise.lateral_sigma_m = 0.5;
+  const Plan plan = plan_fitted_lines(site.ground, options);
+  const Outcome& chosen = plan.choices[plan.chosen];
+  EXPECT_GE(chosen.cover_pct, 99.0);
+  EXPECT_NEAR(chosen.cover_pct, site.score(plan.route, options, 1.0, options.noise).all.hit_pct,
+              1e-9);
+  TrackNoise other = options.noise;
+  other.seed = 7;
+  EXPECT_GE(site.score(plan.route, options, 1.0, other).all.hit_pct, 98.0);
 }
 
 TEST(FittedLines, AreTheSameForAnyNumberOfThreads) {

@@ -80,6 +80,25 @@ TEST(ParetoPick, FollowsTheGoalAndSaysWhenItIsOutOfReach) {
   EXPECT_NE(most.why.find("no plan reaches"), std::string::npos);
 }
 
+TEST(ParetoPick, ListsWhatLiesAboutTheGoal) {
+  std::vector<Outcome> outcomes(4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    outcomes[i].length_ratio = 1.0 + static_cast<double>(i);
+    outcomes[i].cover_pct = 90.0 + 3.0 * static_cast<double>(i);
+  }
+  using List = std::vector<std::size_t>;
+  const List front = pareto_front(outcomes);
+  PlanGoal goal;
+  EXPECT_EQ(about_the_goal(outcomes, front, goal), List{});
+  goal.coverage_pct = 95.0;
+  EXPECT_EQ(about_the_goal(outcomes, front, goal), (List{2, 3, 1}));
+  goal.coverage_pct = 50.0;
+  EXPECT_EQ(about_the_goal(outcomes, front, goal), (List{0, 1}));
+  goal.coverage_pct = 99.5;
+  EXPECT_EQ(about_the_goal(outcomes, front, goal), (List{3, 2}));
+  EXPECT_EQ(about_the_goal({}, {}, goal), List{});
+}
+
 TEST(Eikonal, CountsWidthsFromAPointOnEvenGround) {
   const Ground g(flat(60.0, 60.0, 10.0));
   const WaterRaster raster(g.ground, 1e6, 0.5);

@@ -107,7 +107,7 @@ TEST(BlockSearch, FindsNothingWorseThanItsBaseAndShorterPlansForDearerMetres) {
   LineWorkshop shop(site.ground, site.options);
   const StraightCandidate base = four_rows();
   const Outcome before =
-      shop.estimate(lines_of(base, shop), width_of(base, shop), angles_of(base, shop), 2, "base");
+      shop.estimate(lines_of(base, shop), width_of(base, shop), angles_of(base), 2, "base");
   BlockSearch search(base, 2, shop);
   ASSERT_TRUE(search.has_blocks());
   const auto dense = search.best_for(0.2);
@@ -184,7 +184,7 @@ TEST(LineWorkshop, EstimatesWhatTheSteeredRouteCovers) {
   LineWorkshop shop(site.ground, site.options);
   const StraightCandidate base = four_rows();
   const Outcome estimate =
-      shop.estimate(lines_of(base, shop), width_of(base, shop), angles_of(base, shop), 1, "base");
+      shop.estimate(lines_of(base, shop), width_of(base, shop), angles_of(base), 1, "base");
   const Outcome steered = shop.judge(build(base, shop).route, 1, "base");
   EXPECT_NEAR(estimate.cover_pct, steered.cover_pct, 1.0);
   EXPECT_NEAR(estimate.length_ratio / steered.length_ratio, 1.0, 0.1);

@@ -66,13 +66,19 @@ function drawChoices(chart, plan, px, py) {
   list.forEach((c, i) => {
     const [x, y] = at[i];
     const says = `${number(c.coverage_pct, 2)} % at ${ratio(c.length_ratio)} ideal lengths, ` +
-      `${long(c.length_m)}, ${c.turns} turns: ${c.what}`;
+      `${long(c.length_m)}, ${c.turns} turns: ${c.what}${withinMargin(c)}`;
     chart.append(svg('path', {d: `M${x - 5} ${y}L${x} ${y - 5}L${x + 5} ${y}L${x} ${y + 5}Z`, class: 'choice',
       stroke: plan.tint}, svg('title', {}, says)));
     if (i === plan.choices.chosen) {
       chart.append(svg('circle', {cx: x, cy: y, r: 11, fill: 'none', class: 'picked'}));
     }
   });
+}
+
+/** What is left of a choice without the share of its swaths that is kept in reserve. */
+function withinMargin(choice) {
+  return choice.within_margin_pct === undefined ? '' :
+    `; ${number(choice.within_margin_pct, 2)} % without the margin of its swaths`;
 }
 
 function drawPlans(chart, px, py, width) {
@@ -97,7 +103,8 @@ function choicesText(plan) {
   const c = list[picked];
   return element('p', {class: 'says'}, element('strong', {}, `${plan.name}: `),
     `diamonds are the ${list.length} plans that no other tried plan beats in length, coverage${by} and legs that cannot be steered. ` +
-    `Picked (ring): ${c.what}, ${why}.`);
+    `Picked (ring): ${c.what}${withinMargin(c)}, ${why}` +
+    (c.within_margin_pct === undefined ? '.' : ', counting only what the margin leaves of each swath.'));
 }
 
 drawChart($('scatter'));

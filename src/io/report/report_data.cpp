@@ -220,12 +220,13 @@ Json cut_off_json(const ReportSite& site, const Pen& pen, double tolerance_m) {
 Json choices_json(const ReportPlan& plan) {
   Json list = Json::array();
   for (const Outcome& o : plan.choices) {
-    list.push_back({{"coverage_pct", o.cover_pct},
+    list.push_back({{"coverage_pct", expected_cover_pct(o)},
                     {"length_ratio", o.length_ratio},
                     {"length_m", o.length_m},
                     {"turns", o.turns},
                     {"infeasible_legs", o.infeasible_legs},
                     {"what", o.what}});
+    if (o.whole_cover_pct) list.back()["within_margin_pct"] = o.cover_pct;
   }
   const Cover cover = plan.choices.empty() ? Cover::hit : plan.choices.front().cover;
   return {{"list", std::move(list)},
