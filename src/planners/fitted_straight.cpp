@@ -46,8 +46,10 @@ double row_at(const RowWidths& rows, double share) {
 
 /// The share of all swaths that lie behind row k of `count`.
 double share_behind(int k, int count, double total, const StraightLinesOptions& options) {
-  const double ends = options.end_swaths.value_or(0.0) / total;
-  if (!options.end_swaths || count < 2 || ends >= 0.5) return (k + options.phase) / count;
+  const bool given = options.end_swaths || options.end_rows;
+  const double ends =
+      options.end_swaths ? *options.end_swaths / total : options.end_rows.value_or(0.0) / count;
+  if (!given || count < 2 || ends >= 0.5) return (k + options.phase) / count;
   return ends + (1.0 - 2.0 * ends) * k / (count - 1);
 }
 

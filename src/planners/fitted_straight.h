@@ -17,6 +17,9 @@ struct StraightLinesOptions {
   /// The first and the last row lie so many swaths off the area's edges, those between them evenly
   /// in swaths; empty: by `phase`.
   std::optional<double> end_swaths = {};
+  /// The same in shares of a row's part of the area, total / lines: 0.5 spreads rows evenly, more
+  /// draws them together, so that turns are short and fans look outwards.
+  std::optional<double> end_rows = {};
 };
 
 /// What straight lines of one direction would need.

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/container_hash/hash.hpp>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "planners/block_search_internal.h"
 #include "planners/fitted_straight.h"
@@ -49,6 +51,20 @@ std::vector<Outcome> outcomes_of(const std::vector<JudgedCandidate>& judged) {
   return outcomes;
 }
 
+/// Of where the route leads and how its fans open, to a millimetre and a thousandth of a radian.
+std::size_t fingerprint(const Route& route) {
+  std::size_t seed = route.waypoints.size();
+  const auto add = [&](double value) { boost::hash_combine(seed, std::llround(1000.0 * value)); };
+  for (const Waypoint& w : route.waypoints) {
+    add(w.position.x());
+    add(w.position.y());
+    if (!w.fan) continue;
+    add(w.fan->port.rad());
+    add(w.fan->starboard.rad());
+  }
+  return seed;
+}
+
 class Search {
  public:
   Search(LineWorkshop& shop, const SearchBudget& budget) : shop_(shop), budget_(budget) {}
@@ -61,11 +77,7 @@ class Search {
       for_goal = !for_goal && any(goal());
       const std::size_t next = most_promising(for_goal);
       if (next == pool_.size()) break;
-      varied_[next] = 1;
-      for (const StraightCandidate& c : variations(pool_[next].candidate)) {
-        if (left() <= 0) break;
-        judge(c);
-      }
+      vary(next, for_goal ? goal() : PlanGoal{});
     }
     std::vector<JudgedCandidate> list = exact_front();
     add_blocked(list);
@@ -73,23 +85,38 @@ class Search {
   }
 
  private:
+  /// Tries variations until one is better: from there it goes on, and comes back to the rest if
+  /// this is still the most promising then.
+  void vary(std::size_t base, const PlanGoal& goal) {
+    for (const StraightCandidate& c : variations(pool_[base].candidate)) {
+      if (left() <= 0) return;
+      const std::size_t before = pool_.size();
+      judge(c);
+      if (pool_.size() > before &&
+          pick({pool_[base].outcome, pool_.back().outcome}, goal).index > 0)
+        return;
+    }
+    varied_[base] = 1;
+  }
+
   [[nodiscard]] const PlanGoal& goal() const { return shop_.options().goal; }
   [[nodiscard]] int left() const { return budget_.candidates - static_cast<int>(pool_.size()); }
 
   void judge(const StraightCandidate& c) {
-    if (c.lines < 1) return;
-    for (const JudgedCandidate& known : pool_) {
-      if (known.candidate == c) return;
-    }
+    if (c.lines < 1 || std::find(tried_.begin(), tried_.end(), c) != tried_.end()) return;
+    tried_.push_back(c);
     const Outcome outcome = budget_.steered ? steered(c) : estimated(c);
     if (!(outcome.length_m > 0.0)) return;
     pool_.push_back({c, outcome, {}});
     varied_.push_back(0);
   }
 
-  [[nodiscard]] Outcome steered(const StraightCandidate& c) const {
+  /// Nothing for a route that is known: on level ground most of what a candidate is made of changes
+  /// nothing.
+  [[nodiscard]] Outcome steered(const StraightCandidate& c) {
     const BuiltRoute built = build(c, shop_);
     if (built.route.waypoints.size() < 2) return {};
+    if (!routes_.insert(fingerprint(built.route)).second) return {};
     return shop_.judge(built.route, budget_.coarse, describe(c));
   }
   [[nodiscard]] Outcome estimated(const StraightCandidate& c) const {
@@ -127,6 +154,10 @@ class Search {
         c.azimuth_deg = d.deg;
         c.lines = std::max(1, static_cast<int>(std::lround(share * d.swaths)));
         judge(c);
+        if (!budget_.steered) continue;
+        // The two differ most where the seafloor steps, and neither leads to the other.
+        c.by_distance = true;
+        judge(c);
       }
     }
   }
@@ -161,6 +192,12 @@ class Search {
     const double radius = shop_.options().vehicle.turn_radius_m;
     vary(&StraightCandidate::lines, c.lines + step);
     vary(&StraightCandidate::lines, c.lines - step);
+    if (c.lines > 1) {
+      const double ends = c.end_rows.value_or(0.5);
+      for (const double e : {ends - 0.1, ends + 0.15, 0.95}) {
+        if (e > 0.2 && e < 1.0) vary(&StraightCandidate::end_rows, std::optional<double>(e));
+      }
+    }
     for (const double inset : {0.05, radius, 2.0 * radius})
       vary(&StraightCandidate::inset_m, inset);
     for (const double p : {0.0, 0.15, 0.35, 0.6}) vary(&StraightCandidate::percentile, p);
@@ -249,6 +286,8 @@ class Search {
   SearchBudget budget_;
   std::vector<JudgedCandidate> pool_;
   std::vector<char> varied_;
+  std::vector<StraightCandidate> tried_;
+  std::set<std::size_t> routes_;
 };
 
 }  // namespace
@@ -260,7 +299,8 @@ std::vector<SurveyCurve> lines_of(const StraightCandidate& c, LineWorkshop& shop
                                 .percentile = c.percentile,
                                 .lines = c.lines,
                                 .phase = c.phase,
-                                .inset_m = c.inset_m});
+                                .inset_m = c.inset_m,
+                                .end_rows = c.end_rows});
 }
 
 const std::vector<float>& width_of(const StraightCandidate& c, LineWorkshop& shop) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct StraightCandidate {
   double gap = 1.2;  ///< of W, in scoring cells
   double percentile = 0.15;
   double phase = 0.5;
+  std::optional<double> end_rows = {};  ///< see StraightLinesOptions
   double inset_m = 0.05;
   double overlap_m = 0.4;
   double widest_share = 1.0;
