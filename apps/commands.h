@@ -12,5 +12,6 @@ void add_plan_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_lines_command(CLI::App& app);
 void add_score_command(CLI::App& app);
+void add_export_command(CLI::App& app);
 
 }  // namespace swathplan

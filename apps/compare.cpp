@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.h"
+#include "apps/exports.h"
 #include "apps/outputs.h"
 #include "io/atomic_file.h"
 #include "io/score_json.h"
@@ -15,6 +16,7 @@ struct CompareCommand {
   SiteOptions site;
   SurveyOptions survey;
   OutputOptions output;
+  ExportChoice exports;
   std::vector<std::string> planners;
 };
 
@@ -31,7 +33,9 @@ void run(const CompareCommand& command) {
   if (chosen.empty()) throw UsageError("--planners: name at least one planner");
   static_cast<void>(plan_options(command.survey, {}));
   static_cast<void>(score_options(command.survey));
+  const ExportOptions exports = export_options(command.exports);
   const auto site = load_site(command.site, vehicle_of(command.survey));
+  check_export_crs(exports.formats, site->seafloor().frame);
   note_reach(*site, command.survey);
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
@@ -53,6 +57,8 @@ void run(const CompareCommand& command) {
       }
       const PlannedSurvey& survey = surveys.back();
       write_survey(folder / survey.planner, survey, *site, command.survey, provenance);
+      write_exports(folder / survey.planner, {survey.plan.route, site->seafloor().frame}, exports,
+                    command.output.quiet);
       json.push_back(nlohmann::ordered_json::parse(
           score_json(survey.planner, survey.scored.score, provenance)));
       for (const std::string& note : survey.plan.notes) {
@@ -85,6 +91,7 @@ void add_compare_command(CLI::App& app) {
       ->capture_default_str();
   add_planning_options(*sub, command->survey);
   add_scoring_options(*sub, command->survey);
+  add_export_options(*sub, command->exports);
   add_output_options(*sub, command->output);
   sub->callback([command] { run(*command); });
 }

@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   swathplan::add_compare_command(app);
   swathplan::add_lines_command(app);
   swathplan::add_score_command(app);
+  swathplan::add_export_command(app);
   swathplan::add_adapt_command(app);
   try {
     check_command(app, argc, argv);

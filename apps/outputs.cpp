@@ -9,6 +9,7 @@
 #include "io/plan_json.h"
 #include "io/report/report.h"
 #include "io/route_csv.h"
+#include "io/route_export.h"
 #include "io/route_geojson.h"
 #include "io/score_json.h"
 
@@ -83,6 +84,7 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
              frame.crs_wkt.empty()
                  ? std::vector<std::string>{"route.geojson", "holidays.geojson"}
                  : std::vector<std::string>{"route.local.geojson", "holidays.local.geojson"});
+  remove_exports(folder, "route", all_export_formats());
   write_route_csv(folder / "route.csv", survey.plan.route, frame);
   write_route_geojson(folder, survey.plan.route, frame);
   write_score_json(folder / "score.json", survey.planner, survey.scored.score, provenance);

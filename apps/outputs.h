@@ -13,7 +13,8 @@ void check_folder(const std::filesystem::path& folder);
 /// Removes files of an earlier run, those that are there.
 void remove_old(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
-/// Writes route, score, plan, coverage and holidays of one survey into `folder`.
+/// Writes route, score, plan, coverage and holidays of one survey into `folder`; exports of an
+/// older route go.
 void write_survey(const std::filesystem::path& folder, const PlannedSurvey& survey,
                   const Site& site, const SurveyOptions& options, const Provenance& provenance);
 

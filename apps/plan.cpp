@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/exports.h"
 #include "apps/outputs.h"
 #include "io/score_json.h"
 
@@ -11,6 +12,7 @@ struct PlanCommand {
   SiteOptions site;
   SurveyOptions survey;
   OutputOptions output;
+  ExportChoice exports;
   std::string planner = "fitted-lines";
 };
 
@@ -19,7 +21,9 @@ void run(const PlanCommand& command) {
   // Everything typed is checked before any work.
   static_cast<void>(plan_options(command.survey, {}));
   static_cast<void>(score_options(command.survey));
+  const ExportOptions exports = export_options(command.exports);
   const auto site = load_site(command.site, vehicle_of(command.survey));
+  check_export_crs(exports.formats, site->seafloor().frame);
   note_reach(*site, command.survey);
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
@@ -32,6 +36,8 @@ void run(const PlanCommand& command) {
   }
   const std::filesystem::path& folder = command.output.folder;
   write_survey(folder, surveys[0], *site, command.survey, provenance);
+  write_exports(folder, {surveys[0].plan.route, site->seafloor().frame}, exports,
+                command.output.quiet);
   const std::string title =
       fmt::format("{}: {}", command.site.file.filename().string(), chosen.label);
   write_survey_report(folder / "report.html", title, surveys, *site, command.survey, provenance);
@@ -57,6 +63,7 @@ void add_plan_command(CLI::App& app) {
   sub->add_option("--planner", command->planner, "One of " + names)->capture_default_str();
   add_planning_options(*sub, command->survey);
   add_scoring_options(*sub, command->survey);
+  add_export_options(*sub, command->exports);
   add_output_options(*sub, command->output);
   sub->callback([command] { run(*command); });
 }

@@ -1,0 +1,74 @@
+#include "apps/exports.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace swathplan {
+
+void add_export_options(CLI::App& command, ExportChoice& choice) {
+  const std::string group = "Files for autopilots and survey packages";
+  command
+      .add_option("--export", choice.formats,
+                  "Write the route as these too, separated by commas: " + export_format_names())
+      ->delimiter(',')
+      ->group(group);
+  command
+      .add_option("--export-tolerance", choice.tolerance_m,
+                  "Exported paths leave out waypoints within this of the way, metres")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--mission-items", choice.mission_items,
+                  "waypoints: cut missions into parts of so many items; 0: do not")
+      ->capture_default_str()
+      ->group(group);
+}
+
+ExportOptions export_options(const ExportChoice& choice) {
+  ExportOptions options{{}, choice.tolerance_m, choice.mission_items};
+  for (const std::string& name : choice.formats) options.formats.push_back(export_format(name));
+  check(options);
+  return options;
+}
+
+std::string export_table(const std::vector<ExportedRoute>& exported) {
+  std::string text;
+  for (const ExportedRoute& e : exported) {
+    const std::string& first = e.files.front().string();
+    const std::string files =
+        e.files.size() == 1 ? first
+                            : fmt::format("{} to {}", first, e.files.back().filename().string());
+    text += fmt::format("{}: {} of {} waypoints, at most {:.3f} m from the route\n", files,
+                        e.waypoints, e.of, e.largest_distance_m);
+  }
+  return text;
+}
+
+void print_export_warnings(const Route& route, const std::vector<ExportedRoute>& exported) {
+  const std::vector<Leg> all = legs(route);
+  const auto infeasible = std::count_if(
+      all.begin(), all.end(), [&](const Leg& leg) { return !route.waypoints[leg.first].feasible; });
+  if (infeasible > 0) {
+    fmt::print(
+        stderr,
+        "warning: {} leg{} of the route {} infeasible: no way was found that the vehicle can "
+        "steer in safe water; the files hold {} as drawn\n",
+        infeasible, infeasible == 1 ? "" : "s", infeasible == 1 ? "is" : "are",
+        infeasible == 1 ? "it" : "them");
+  }
+  for (const ExportedRoute& e : exported) {
+    for (const std::string& warning : e.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  }
+}
+
+void write_exports(const std::filesystem::path& folder, const PlacedRoute& route,
+                   const ExportOptions& options, bool quiet) {
+  if (options.formats.empty()) return;
+  const auto exported = export_route(folder, "route", route, route, options);
+  if (quiet) return;
+  fmt::print(stderr, "{}", export_table(exported));
+  print_export_warnings(route.route, exported);
+}
+
+}  // namespace swathplan

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "io/route_export.h"
+
+namespace swathplan {
+
+/// What is asked for on the command line of `plan`, `compare` and `export`.
+struct ExportChoice {
+  std::vector<std::string> formats;
+  double tolerance_m = 0.10;
+  std::size_t mission_items = 0;
+};
+
+/// The options of `plan` and `compare`, in a group of their own.
+void add_export_options(CLI::App& command, ExportChoice& choice);
+
+/// @throws UsageError that names the option, its value and the rule.
+[[nodiscard]] ExportOptions export_options(const ExportChoice& choice);
+
+/// A line for each file: what was kept, and how far it lies from the plan at most.
+[[nodiscard]] std::string export_table(const std::vector<ExportedRoute>& exported);
+
+/// To stderr: legs of the route that cannot be sailed as drawn, and the warnings of its exports.
+void print_export_warnings(const Route& route, const std::vector<ExportedRoute>& exported);
+
+/// Writes the exports of a route beside its route.csv; their table goes to stderr if there are any,
+/// as do warnings.
+void write_exports(const std::filesystem::path& folder, const PlacedRoute& route,
+                   const ExportOptions& options, bool quiet);
+
+}  // namespace swathplan
