@@ -57,7 +57,7 @@ void run(const CompareCommand& command) {
       }
       const PlannedSurvey& survey = surveys.back();
       write_survey(folder / survey.planner, survey, *site, command.survey, provenance);
-      write_exports(folder / survey.planner, {survey.plan.route, site->seafloor().frame}, exports,
+      write_exports(folder / survey.planner, survey.plan.route, *site, exports,
                     command.output.quiet);
       json.push_back(nlohmann::ordered_json::parse(
           score_json(survey.planner, survey.scored.score, provenance)));

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "io/survey_runs.h"
+
 namespace swathplan {
 
 void add_export_options(CLI::App& command, ExportChoice& choice) {
@@ -32,6 +34,21 @@ ExportOptions export_options(const ExportChoice& choice) {
   return options;
 }
 
+namespace {
+
+/// Survey lines along which the fan changes.
+std::size_t lines_of_changing_fan(const Route& route) {
+  const std::vector<SurveyRun> runs = survey_runs(route);
+  return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), [&](const SurveyRun& r) {
+    const auto begin = route.waypoints.begin();
+    return std::any_of(begin + static_cast<std::ptrdiff_t>(r.first),
+                       begin + static_cast<std::ptrdiff_t>(r.last),
+                       [&](const Waypoint& w) { return w.fan != route.waypoints[r.first].fan; });
+  }));
+}
+
+}  // namespace
+
 std::string export_table(const std::vector<ExportedRoute>& exported) {
   std::string text;
   for (const ExportedRoute& e : exported) {
@@ -57,18 +74,27 @@ void print_export_warnings(const Route& route, const std::vector<ExportedRoute>&
         infeasible, infeasible == 1 ? "" : "s", infeasible == 1 ? "is" : "are",
         infeasible == 1 ? "it" : "them");
   }
+  if (const std::size_t lines = lines_of_changing_fan(route); lines > 0) {
+    fmt::print(
+        stderr,
+        "note: the exported files hold no opening angles; those of the route change along {} "
+        "line{}, see port_deg,stbd_deg in route.csv\n",
+        lines, lines == 1 ? "" : "s");
+  }
   for (const ExportedRoute& e : exported) {
     for (const std::string& warning : e.warnings) fmt::print(stderr, "warning: {}\n", warning);
   }
 }
 
-void write_exports(const std::filesystem::path& folder, const PlacedRoute& route,
+void write_exports(const std::filesystem::path& folder, const Route& route, const Site& site,
                    const ExportOptions& options, bool quiet) {
   if (options.formats.empty()) return;
-  const auto exported = export_route(folder, "route", route, route, options);
+  const AreaQuery water(site.water);
+  const PlacedRoute placed{route, site.seafloor().frame, &water};
+  const auto exported = export_route(folder, "route", placed, placed, options);
   if (quiet) return;
   fmt::print(stderr, "{}", export_table(exported));
-  print_export_warnings(route.route, exported);
+  print_export_warnings(route, exported);
 }
 
 }  // namespace swathplan

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/site.h"
 #include "io/route_export.h"
 
 namespace swathplan {
@@ -24,12 +25,13 @@ void add_export_options(CLI::App& command, ExportChoice& choice);
 /// A line for each file: what was kept, and how far it lies from the plan at most.
 [[nodiscard]] std::string export_table(const std::vector<ExportedRoute>& exported);
 
-/// To stderr: legs of the route that cannot be sailed as drawn, and the warnings of its exports.
+/// To stderr: legs of the route that cannot be sailed as drawn, fans that the files do not hold,
+/// and the warnings of its exports.
 void print_export_warnings(const Route& route, const std::vector<ExportedRoute>& exported);
 
-/// Writes the exports of a route beside its route.csv; their table goes to stderr if there are any,
-/// as do warnings.
-void write_exports(const std::filesystem::path& folder, const PlacedRoute& route,
+/// Writes the exports of a planned route beside its route.csv, kept to the site's safe water; their
+/// table goes to stderr if there are any, as do warnings.
+void write_exports(const std::filesystem::path& folder, const Route& route, const Site& site,
                    const ExportOptions& options, bool quiet);
 
 }  // namespace swathplan

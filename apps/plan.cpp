@@ -36,8 +36,7 @@ void run(const PlanCommand& command) {
   }
   const std::filesystem::path& folder = command.output.folder;
   write_survey(folder, surveys[0], *site, command.survey, provenance);
-  write_exports(folder, {surveys[0].plan.route, site->seafloor().frame}, exports,
-                command.output.quiet);
+  write_exports(folder, surveys[0].plan.route, *site, exports, command.output.quiet);
   const std::string title =
       fmt::format("{}: {}", command.site.file.filename().string(), chosen.label);
   write_survey_report(folder / "report.html", title, surveys, *site, command.survey, provenance);

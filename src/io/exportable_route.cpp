@@ -77,7 +77,7 @@ class Reader {
     notes_ = std::move(imported.notes);
     std::erase_if(notes_,
                   [](const std::string& note) { return note.find(" fan") != std::string::npos; });
-    return {std::move(imported.route), frame};
+    return {std::move(imported.route), frame, nullptr};
   }
 
  private:

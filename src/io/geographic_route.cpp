@@ -59,12 +59,13 @@ Route divided(const Route& route, const std::vector<double>& bend, double most_m
 
 }  // namespace
 
-GeographicRoute geographic_route(const Route& route, const Frame& frame, double tolerance_m) {
+GeographicRoute geographic_route(const Route& route, const Frame& frame, double tolerance_m,
+                                 const AreaQuery* water) {
   const internal::LonLat conversion(frame);
   if (!conversion.known()) {
     throw InvalidInput("the route has no coordinate reference system: give it with --crs EPSG:n");
   }
-  const ThinnedRoute thinned = thin_route(route, (1.0 - kBendShare) * tolerance_m);
+  const ThinnedRoute thinned = thin_route(route, (1.0 - kBendShare) * tolerance_m, water);
   std::vector<Vec2> local = positions(thinned.route);
   const std::vector<double> bend = bends(local, conversion.from_local(local), conversion);
   // Half the share, since parts of a curve that is only nearly a parabola differ a little.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "coverage/route.h"
+#include "mesh/area_query.h"
 
 namespace swathplan {
 
@@ -13,12 +14,13 @@ struct GeographicRoute {
   double largest_distance_m;  ///< bounds the distance between its path and that of the whole route
 };
 
-/// Thins a route (see thin_route) and divides segments so long that a parallel or rhumb line
-/// between their ends would leave the planned straight.
-/// Guarantees: (1) largest_distance_m <= tolerance_m (but for 0.1 mm of rounding in files); (2) it
-/// counts what was left out and the bend of the divided segments, both measured.
+/// Thins a route (see thin_route, for `water` too) and divides segments so long that a parallel or
+/// rhumb line between their ends would leave the planned straight. Guarantees: (1)
+/// largest_distance_m <= tolerance_m (but for 0.1 mm of rounding in files); (2) it counts what was
+/// left out and the bend of the divided segments, both measured.
 /// @throws InvalidInput if the frame has no CRS or a point has no place in WGS84.
 [[nodiscard]] GeographicRoute geographic_route(const Route& route, const Frame& frame,
-                                               double tolerance_m);
+                                               double tolerance_m,
+                                               const AreaQuery* water = nullptr);
 
 }  // namespace swathplan

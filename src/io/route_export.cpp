@@ -89,7 +89,8 @@ std::string text_of(ExportFormat format, const GeographicRoute& route, const std
 
 void write_geographic(const fs::path& folder, const std::string& stem, const PlacedRoute& placed,
                       const ExportOptions& options, ExportedRoute& done) {
-  const GeographicRoute route = geographic_route(placed.route, placed.frame, options.tolerance_m);
+  const GeographicRoute route =
+      geographic_route(placed.route, placed.frame, options.tolerance_m, placed.water);
   done.waypoints = route.route.waypoints.size();
   done.largest_distance_m = route.largest_distance_m;
   if (done.format == ExportFormat::waypoints) {
@@ -115,7 +116,7 @@ std::size_t waypoints_on_lines(const Route& route) {
 
 void write_planar(const fs::path& folder, const std::string& stem, const PlacedRoute& planar,
                   const ExportOptions& options, ExportedRoute& done) {
-  const ThinnedRoute thinned = thin_route(planar.route, options.tolerance_m);
+  const ThinnedRoute thinned = thin_route(planar.route, options.tolerance_m, planar.water);
   done.waypoints = thinned.route.waypoints.size();
   done.largest_distance_m = thinned.largest_distance_m;
   done.files.push_back(folder / fmt::format("{}.{}", stem, name(done.format)));

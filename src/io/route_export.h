@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coverage/route.h"
+#include "mesh/area_query.h"
 
 namespace swathplan {
 
@@ -36,6 +37,7 @@ inline constexpr double kLeastToleranceM = 0.001;
 struct PlacedRoute {
   Route route;
   Frame frame;
+  const AreaQuery* water = nullptr;  ///< which exported paths leave no more than the route does
 };
 
 /// What was written for one format.

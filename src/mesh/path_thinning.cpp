@@ -31,14 +31,16 @@ Farthest farthest_between(const std::vector<Vec2>& path, std::size_t first, std:
 
 /// Marks what a stretch needs between its ends; returns the largest distance that is left.
 double thin_stretch(const std::vector<Vec2>& path, std::size_t first, std::size_t last,
-                    double tolerance_m, std::vector<bool>& needed) {
+                    double tolerance_m, const StraightRule& rule, std::vector<bool>& needed) {
   double largest = 0.0;
   std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
   while (!open.empty()) {
     const auto [a, b] = open.back();
     open.pop_back();
-    const Farthest f = farthest_between(path, a, b);
-    if (f.distance_m <= tolerance_m) {
+    if (b == a + 1) continue;
+    Farthest f = farthest_between(path, a, b);
+    if (f.index == a) f.index = a + (b - a) / 2;  // all of them lie on the straight
+    if (f.distance_m <= tolerance_m && (!rule || rule(a, b))) {
       largest = std::max(largest, f.distance_m);
       continue;
     }
@@ -52,7 +54,7 @@ double thin_stretch(const std::vector<Vec2>& path, std::size_t first, std::size_
 }  // namespace
 
 ThinnedPath thin_path(const std::vector<Vec2>& path, const std::vector<bool>& keep,
-                      double tolerance_m) {
+                      double tolerance_m, const StraightRule& rule) {
   ThinnedPath result;
   if (path.empty()) return result;
   std::vector<bool> needed(path.size(), false);
@@ -62,8 +64,8 @@ ThinnedPath thin_path(const std::vector<Vec2>& path, const std::vector<bool>& ke
     const bool stays = i + 1 == path.size() || (!keep.empty() && keep[i]);
     if (!stays && i - first < kPiece) continue;
     needed[i] = true;
-    result.largest_distance_m =
-        std::max(result.largest_distance_m, thin_stretch(path, first, i, tolerance_m, needed));
+    result.largest_distance_m = std::max(result.largest_distance_m,
+                                         thin_stretch(path, first, i, tolerance_m, rule, needed));
     first = i;
   }
   for (std::size_t i = 0; i < path.size(); ++i) {

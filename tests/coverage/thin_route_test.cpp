@@ -57,6 +57,31 @@ TEST(ThinRoute, KeepsEndsOfLegsAndChangesOfSpeed) {
   }
 }
 
+TEST(ThinRoute, StaysInTheWaterWhereTheRouteDoes) {
+  // The water's inner bank follows the turn: every chord of the half circle would cross it.
+  const Route route = two_lines();
+  std::vector<Vec2> bank;
+  for (int i = 0; i <= 200; ++i) {
+    const double a = 0.005 * 3.14159265358979 * i;
+    bank.emplace_back(5.0 - 4.99 * std::cos(a), 50.0 + 4.99 * std::sin(a));
+  }
+  const Area sea{{.outer = {{-20, -20}, {30, -20}, {30, 80}, {-20, 80}}, .holes = {}}};
+  const AreaQuery query(subtract(sea, from_rings({bank}, true)));
+  const auto outside = [&](const Route& r) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < r.waypoints.size(); ++i) {
+      const Vec2 &a = r.waypoints[i - 1].position, &b = r.waypoints[i].position;
+      sum += (b - a).norm() - query.inside_length(a, b);
+    }
+    return sum;
+  };
+  ASSERT_LT(outside(route), 0.001);
+  EXPECT_GT(outside(thin_route(route, 0.1).route), 1.0);
+  const ThinnedRoute thinned = thin_route(route, 0.1, &query);
+  EXPECT_LT(outside(thinned.route), 0.05);
+  EXPECT_LT(thinned.route.waypoints.size(), 70U);
+}
+
 TEST(ThinRoute, ASmallerToleranceKeepsMore) {
   const Route route = two_lines();
   std::size_t before = 0;

@@ -35,7 +35,7 @@ std::string text_of(const fs::path& file) {
 struct Exported {
   explicit Exported(ExportFormat format, const Route& planned = test::lawnmower(3))
       : route(planned) {
-    const PlacedRoute placed{route, frame};
+    const PlacedRoute placed{route, frame, nullptr};
     done = export_route(folder.path(), "north & south", placed, placed, {{format}, 0.1, 0}).at(0);
   }
   [[nodiscard]] const fs::path& file() const { return done.files.at(0); }
@@ -126,7 +126,7 @@ TEST(RouteRtz, TurnsFitTheirLegsAndStayAtTheCorner) {
 
 TEST(RouteLnw, HoldsTheLinesInFileCoordinates) {
   const test::TemporaryFolder folder;
-  PlacedRoute placed{test::lawnmower(3), {}};
+  PlacedRoute placed{test::lawnmower(3), {}, nullptr};
   placed.frame = {.origin = Vec2(1000, 2000), .metres_per_unit = 0.3048, .crs_wkt = ""};
   const auto done =
       export_route(folder.path(), "route", placed, placed, {{ExportFormat::lnw}, 0.1, 0});
@@ -201,7 +201,7 @@ std::string why(const std::function<void()>& act) {
 
 TEST(ExportRoute, RefusesDegreesWithoutACrsAndWritesNothing) {
   const test::TemporaryFolder folder;
-  const PlacedRoute placed{test::lawnmower(2), {}};
+  const PlacedRoute placed{test::lawnmower(2), {}, nullptr};
   const auto act = [&] {
     (void)export_route(folder.path(), "route", placed, placed,
                        {{ExportFormat::lnw, ExportFormat::gpx}, 0.1, 0});
@@ -234,7 +234,7 @@ TEST(ExportRoute, WarnsOfMissionsThatAutopilotsCannotHold) {
 
 TEST(ExportRoute, RemovesOlderExportsAndNothingElse) {
   const test::TemporaryFolder folder;
-  const PlacedRoute placed{test::lawnmower(9), test::utm_frame()};
+  const PlacedRoute placed{test::lawnmower(9), test::utm_frame(), nullptr};
   (void)export_route(folder.path(), "route", placed, placed,
                      {{ExportFormat::waypoints, ExportFormat::gpx}, 0.1, 20});
   for (const char* other : {"route.csv", "route-old.waypoints", "other.gpx", "route-1.txt"}) {

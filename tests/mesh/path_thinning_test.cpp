@@ -92,6 +92,22 @@ TEST(ThinPath, AStraightKeepsItsEndsAndAnOvershootStays) {
   EXPECT_EQ(thin_path(beyond, {}, 0.1).kept.size(), 3U);
 }
 
+TEST(ThinPath, StraightsObeyTheRule) {
+  std::vector<Vec2> line;
+  for (int i = 0; i <= 100; ++i) line.emplace_back(0.1 * i, i % 2 == 0 ? 0.0 : 0.001);
+  const auto ten = [](std::size_t first, std::size_t last) { return last - first <= 10; };
+  for (const double height : {0.0, 1.0}) {
+    for (Vec2& p : line) p.y() *= height;
+    const ThinnedPath thinned = thin_path(line, {}, 0.1, ten);
+    EXPECT_GE(thinned.kept.size(), 11U);
+    EXPECT_LT(thinned.kept.size(), 60U);
+    for (std::size_t i = 1; i < thinned.kept.size(); ++i) {
+      EXPECT_LE(thinned.kept[i] - thinned.kept[i - 1], 10U);
+    }
+  }
+  EXPECT_EQ(thin_path(line, {}, 0.1, [](auto, auto) { return false; }).kept.size(), line.size());
+}
+
 TEST(ThinPath, ShortPathsAreKeptWhole) {
   EXPECT_TRUE(thin_path({}, {}, 0.1).kept.empty());
   EXPECT_EQ(thin_path({{1, 1}}, {}, 0.1).kept.size(), 1U);
