@@ -47,16 +47,11 @@ std::vector<Vec2> lonlat_columns(std::string_view text) {
   return result;
 }
 
-std::vector<Vec2> positions(const Route& route) {
-  std::vector<Vec2> result;
-  for (const Waypoint& w : route.waypoints) result.push_back(w.position);
-  return result;
-}
-
 void check_same_place(const PlacedRoute& placed, const std::vector<Vec2>& lonlat,
                       const std::string& file) {
   if (lonlat.empty()) return;
-  const auto converted = internal::LonLat(placed.frame).from_local(positions(placed.route));
+  const auto converted =
+      internal::LonLat(placed.frame).from_local(internal::positions(placed.route));
   for (std::size_t i = 0; i < lonlat.size(); ++i) {
     if ((converted[i] - lonlat[i]).norm() < kSamePlaceDeg) continue;
     throw InvalidInput(fmt::format(

@@ -13,12 +13,6 @@ namespace {
 /// The share of the tolerance that the bend of segments may use; the rest is for thinning.
 constexpr double kBendShare = 0.1;
 
-std::vector<Vec2> positions(const Route& route) {
-  std::vector<Vec2> result;
-  for (const Waypoint& w : route.waypoints) result.push_back(w.position);
-  return result;
-}
-
 /// For each segment the distance of its middle in longitude and latitude from the straight one:
 /// the bend's largest, since it is even.
 std::vector<double> bends(const std::vector<Vec2>& local, const std::vector<Vec2>& lonlat,
@@ -66,11 +60,11 @@ GeographicRoute geographic_route(const Route& route, const Frame& frame, double 
     throw InvalidInput("the route has no coordinate reference system: give it with --crs EPSG:n");
   }
   const ThinnedRoute thinned = thin_route(route, (1.0 - kBendShare) * tolerance_m, water);
-  std::vector<Vec2> local = positions(thinned.route);
+  std::vector<Vec2> local = internal::positions(thinned.route);
   const std::vector<double> bend = bends(local, conversion.from_local(local), conversion);
   // Half the share, since parts of a curve that is only nearly a parabola differ a little.
   GeographicRoute result{divided(thinned.route, bend, 0.5 * kBendShare * tolerance_m), {}, 0.0};
-  local = positions(result.route);
+  local = internal::positions(result.route);
   result.lonlat = conversion.from_local(local);
   const std::vector<double> left = bends(local, result.lonlat, conversion);
   const auto most = std::max_element(left.begin(), left.end());

@@ -3,9 +3,18 @@
 #include <optional>
 #include <vector>
 
+#include "coverage/route.h"
 #include "io/crs.h"
 
 namespace swathplan::internal {
+
+/// The positions of a route's waypoints.
+[[nodiscard]] inline std::vector<Vec2> positions(const Route& route) {
+  std::vector<Vec2> result;
+  result.reserve(route.waypoints.size());
+  for (const Waypoint& w : route.waypoints) result.push_back(w.position);
+  return result;
+}
 
 /// Longitude and latitude (WGS84, degrees) of local positions and back, where the frame has a CRS.
 class LonLat {

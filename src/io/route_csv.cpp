@@ -24,13 +24,6 @@ constexpr int kMicrometre = 6;    // decimals of a metre
 constexpr int kLonLatDigits = 9;  // decimals of a degree: 0.1 mm
 constexpr int kAngleDigits = 6;   // decimals of a degree: 2 mm at 100 km
 
-std::vector<Vec2> positions(const Route& route) {
-  std::vector<Vec2> out;
-  out.reserve(route.waypoints.size());
-  for (const Waypoint& w : route.waypoints) out.push_back(w.position);
-  return out;
-}
-
 std::string row(std::size_t seq, const Waypoint& w, const Vec2& file, const Vec2* lonlat) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", seq,
                      w.line ? std::to_string(*w.line) : "", name(w.kind), w.log ? 1 : 0,
@@ -255,7 +248,7 @@ void add_notes(ImportedRoute& imported, const RouteColumns& columns, const CsvTa
 }  // namespace
 
 std::string route_csv(const Route& route, const Frame& frame) {
-  const std::vector<Vec2> local = positions(route);
+  const std::vector<Vec2> local = internal::positions(route);
   const internal::LonLat conversion(frame);
   const std::vector<Vec2> lonlat =
       conversion.known() ? conversion.from_local(local) : std::vector<Vec2>();

@@ -16,15 +16,9 @@
 namespace swathplan {
 namespace {
 
-std::vector<Vec2> positions(const Route& route) {
-  std::vector<Vec2> result;
-  for (const Waypoint& w : route.waypoints) result.push_back(w.position);
-  return result;
-}
-
 void expect_lonlat(const PlacedRoute& placed, const Route& route, const Frame& frame) {
-  const auto read = internal::LonLat(placed.frame).from_local(positions(placed.route));
-  const auto planned = internal::LonLat(frame).from_local(positions(route));
+  const auto read = internal::LonLat(placed.frame).from_local(internal::positions(placed.route));
+  const auto planned = internal::LonLat(frame).from_local(internal::positions(route));
   ASSERT_EQ(read.size(), planned.size());
   for (std::size_t i = 0; i < read.size(); ++i) EXPECT_LT((read[i] - planned[i]).norm(), 2e-9) << i;
 }

@@ -174,9 +174,7 @@ TEST(RouteKmlAndDxf, AreReadByOgrLegByLeg) {
           const Vec2 p(line->getX(i), line->getY(i));
           const Vec2 local =
               kml ? internal::LonLat(exported.frame).to_local({p})[0] : exported.frame.to_local(p);
-          std::vector<Vec2> path;
-          for (const Waypoint& w : exported.route.waypoints) path.push_back(w.position);
-          EXPECT_LT(test::distance_to_path(local, path), 0.002);
+          EXPECT_LT(test::distance_to_path(local, internal::positions(exported.route)), 0.002);
         }
       }
     }
