@@ -88,6 +88,7 @@ void print_export_warnings(const Route& route, const std::vector<ExportedRoute>&
 
 void write_exports(const std::filesystem::path& folder, const Route& route, const Site& site,
                    const ExportOptions& options, bool quiet) {
+  remove_exports(folder, "route", all_export_formats());
   if (options.formats.empty()) return;
   const AreaQuery water(site.water);
   const PlacedRoute placed{route, site.seafloor().frame, &water};

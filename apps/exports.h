@@ -9,14 +9,14 @@
 
 namespace swathplan {
 
-/// What is asked for on the command line of `plan`, `compare` and `export`.
+/// What is asked for on the command line of `plan`, `compare`, `lines` and `export`.
 struct ExportChoice {
   std::vector<std::string> formats;
   double tolerance_m = 0.10;
   std::size_t mission_items = 0;
 };
 
-/// The options of `plan` and `compare`, in a group of their own.
+/// The options of `plan`, `compare` and `lines`, in a group of their own.
 void add_export_options(CLI::App& command, ExportChoice& choice);
 
 /// @throws UsageError that names the option, its value and the rule.
@@ -29,8 +29,8 @@ void add_export_options(CLI::App& command, ExportChoice& choice);
 /// and the warnings of its exports.
 void print_export_warnings(const Route& route, const std::vector<ExportedRoute>& exported);
 
-/// Writes the exports of a planned route beside its route.csv, kept to the site's safe water; their
-/// table goes to stderr if there are any, as do warnings.
+/// Writes the exports of a planned route beside its route.csv, kept to the site's safe water, and
+/// removes those of an older one; their table goes to stderr if there are any, as do warnings.
 void write_exports(const std::filesystem::path& folder, const Route& route, const Site& site,
                    const ExportOptions& options, bool quiet);
 

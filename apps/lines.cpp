@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.h"
+#include "apps/exports.h"
 #include "apps/outputs.h"
 #include "io/atomic_file.h"
 #include "io/lines_png.h"
@@ -20,6 +21,7 @@ struct LinesCommand {
   SiteOptions site;
   SurveyOptions survey;
   OutputOptions output;
+  ExportChoice exports;
   std::vector<std::string> methods{"auto"};
   double opening_deg = 120.0, overlap_pct = 0.0, missed_pct = 0.05;
 };
@@ -98,6 +100,7 @@ void write_lines(const std::filesystem::path& folder, const DesignedLines& desig
       route_of(designed, site.water, Angle::degrees(c.opening_deg), vehicle_of(c.survey));
   write_route_csv(folder / "route.csv", route, frame);
   write_route_geojson(folder, route, frame);
+  write_exports(folder, route, site, export_options(c.exports), c.output.quiet);
   write_lines_png(folder / "lines.png", judge.swaths, designed.lines,
                   fmt::format("{}\n{:.1f} km, {:.3f} of the least, {:.3f} % missed", designed.what,
                               designed.figures.length_m / 1000.0, designed.figures.ratio(),
@@ -107,8 +110,10 @@ void write_lines(const std::filesystem::path& folder, const DesignedLines& desig
 void run(const LinesCommand& c) {
   LineDesignOptions options = design_options(c);
   for (const std::string& name : c.methods) static_cast<void>(method_of(name));
+  const ExportOptions exports = export_options(c.exports);
   const Vehicle vehicle = vehicle_of(c.survey);
   const auto site = load_site(c.site, vehicle);
+  check_export_crs(exports.formats, site->seafloor().frame);
   print_notes(*site, c.output.quiet);
   const PlanningGround planning = site->planning_ground(nullptr);
   const Angle opening = Angle::degrees(c.opening_deg);
@@ -169,6 +174,7 @@ void add_lines_command(CLI::App& app) {
   sub->add_option("--clearance", command->survey.clearance_m,
                   "Kept from walls, shoals and no-go areas, metres")
       ->group(group);
+  add_export_options(*sub, command->exports);
   add_output_options(*sub, command->output);
   sub->callback([command] { run(*command); });
 }

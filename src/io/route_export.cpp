@@ -143,6 +143,7 @@ std::string_view name(ExportFormat format) {
 
 std::vector<ExportFormat> all_export_formats() {
   std::vector<ExportFormat> all;
+  all.reserve(kNames.size());
   for (const auto& [format, text] : kNames) all.push_back(format);
   return all;
 }

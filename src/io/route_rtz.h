@@ -8,7 +8,7 @@
 namespace swathplan {
 
 /// The largest file that the standard lets a chart system take.
-inline constexpr std::size_t kRtzBytes = 400 * 1024;
+inline constexpr std::size_t kRtzBytes = 400UL * 1024UL;
 
 /// The route in the route exchange format RTZ 1.0 of chart systems (IEC 61174:2015): numbered and
 /// named waypoints, rhumb-line legs with the planned speed as `speedMax` in knots, and the radius

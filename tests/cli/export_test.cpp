@@ -88,6 +88,16 @@ TEST(Export, CompareWritesThemForEachPlanner) {
   }
 }
 
+TEST(Export, LinesOfOpenWaterGoToHypack) {
+  const Folder folder;
+  ASSERT_EQ(folder.run("synth tilted --width 300 --height 200 --slope 3 -o slope.obj").code, 0);
+  const auto run = folder.run("lines slope.obj --method back-and-forth --export lnw -o out");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto lines = test::json_of(folder / "out" / "lines.json").at("methods").at(0).at("lines");
+  EXPECT_THAT(text_of(folder / "out" / "back-and-forth" / "route.lnw"),
+              testing::StartsWith("LNS " + std::to_string(lines.get<int>()) + "\r\n"));
+}
+
 TEST(Export, AToleranceAndPartsAreAsAskedFor) {
   const Folder folder;
   std::ostringstream csv;
