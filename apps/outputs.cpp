@@ -12,6 +12,7 @@
 #include "io/route_export.h"
 #include "io/route_geojson.h"
 #include "io/score_json.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
@@ -152,10 +153,10 @@ std::string choices_table(const Plan& plan) {
   for (std::size_t i = 0; i < plan.choices.size(); ++i) {
     const Outcome& o = plan.choices[i];
     text += fmt::format(
-        "{} {:>6.2f} % {}{} over {:>7.0f} m ({:.2f} ideal lengths, {} turns{}): {}\n",
+        "{} {:>6.2f} % {}{} over {:>7.0f} m ({:.2f} ideal lengths, {}{}): {}\n",
         i == plan.chosen ? '*' : ' ', expected_cover_pct(o), name(o.cover),
         o.whole_cover_pct ? fmt::format(" ({:.2f} % without the margin)", o.cover_pct) : "",
-        o.length_m, o.length_ratio, o.turns,
+        o.length_m, o.length_ratio, counted(o.turns, "turn"),
         o.infeasible_legs > 0 ? fmt::format(", {} infeasible", o.infeasible_legs) : "", o.what);
   }
   return text;

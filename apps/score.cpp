@@ -6,6 +6,7 @@
 #include "io/score_json.h"
 #include "mesh/error.h"
 #include "planners/infill.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
@@ -57,7 +58,8 @@ Plan with_passes(const Plan& plan, const ScoreCommand& command, const Site& site
   Plan result;
   result.route = std::move(filled.built.route);
   result.notes = std::move(filled.built.notes);
-  result.notes.push_back(fmt::format("{} infill passes were added", filled.passes));
+  result.notes.push_back(
+      fmt::format("{} added", counted(filled.passes, "infill pass was", "infill passes were")));
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/crs.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
@@ -172,8 +173,8 @@ std::string inspection_text(const ImportedSeafloor& r) {
   for (const std::string& note : r.notes) line("note", note);
   for (const std::string& warning : warnings_of(r)) line("WARNING", warning);
   line("try", fmt::format("--resolution {} --depth-bands {}", s.resolution_m, s.depth_bands));
-  line("", fmt::format("swaths of {:.4g} m, roughly {} lines, {:.3g} km (256 beams)", s.swath_m,
-                       s.lines, s.line_km));
+  line("", fmt::format("swaths of {:.4g} m, roughly {}, {:.3g} km (256 beams)", s.swath_m,
+                       counted(s.lines, "line"), s.line_km));
   return text;
 }
 

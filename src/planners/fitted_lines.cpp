@@ -11,6 +11,7 @@
 #include "planners/line_workshop.h"
 #include "planners/straight_search_internal.h"
 #include "planners/survey_lines.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
@@ -93,8 +94,8 @@ void infill_best(std::vector<Finished>& plans, LineWorkshop& shop) {
       InfilledRoute filled = with_infill(plans[i].built.route, grid, shop, {.least_gain = gain});
       if (filled.passes == before) continue;
       before = filled.passes;
-      const std::string what =
-          fmt::format("{}, {} infill passes", plans[i].outcome.what, filled.passes);
+      const std::string what = fmt::format("{}, {}", plans[i].outcome.what,
+                                           counted(filled.passes, "infill pass", "infill passes"));
       plans.push_back({std::move(filled.built), {}});
       plans.back().outcome = shop.judge(plans.back().built.route, 1, what);
     }

@@ -12,6 +12,7 @@
 #include "planners/fitted_straight.h"
 #include "planners/straight_search_internal.h"
 #include "planners/survey_lines.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
@@ -316,7 +317,8 @@ BuiltRoute build(const StraightCandidate& c, LineWorkshop& shop) {
 }
 
 std::string describe(const StraightCandidate& c) {
-  return fmt::format("{} straight rows at {:.0f} degrees", c.lines, c.azimuth_deg);
+  return fmt::format("{} at {} degrees", counted(static_cast<std::size_t>(c.lines), "straight row"),
+                     axis_degrees(c.azimuth_deg));
 }
 
 std::vector<JudgedCandidate> search_straight_lines(LineWorkshop& shop, const SearchBudget& budget) {
