@@ -89,14 +89,11 @@ std::vector<SurveyCurve> front_lines(const WaterRaster& raster, const Front& fro
   return lines;
 }
 
-std::vector<SurveyCurve> field_lines(const WaterRaster& raster, const std::vector<float>& width,
-                                     const AreaQuery& lines_in, const FieldWall& wall,
-                                     double tolerance_m, const FieldLinesOptions& options) {
-  const Front front = march(raster, width, front_of(raster, width, wall, tolerance_m));
+std::vector<SurveyCurve> pieces_of(const std::vector<SurveyCurve>& curves,
+                                   const WaterRaster& raster, const std::vector<float>& width,
+                                   const AreaQuery& lines_in) {
   std::vector<SurveyCurve> lines;
-  for (const SurveyCurve& smooth :
-       front_lines(raster, front, 0.5 * options.spacing, options.spacing, kCurveStep,
-                   options.smooth_passes)) {
+  for (const SurveyCurve& smooth : curves) {
     for (SurveyCurve& piece : cut_to(splined(smooth, kFieldParts), lines_in)) {
       if (piece.points.size() < 3) continue;
       const auto at = raster.cell_at(piece.points[piece.points.size() / 2]);
@@ -105,6 +102,15 @@ std::vector<SurveyCurve> field_lines(const WaterRaster& raster, const std::vecto
     }
   }
   return lines;
+}
+
+std::vector<SurveyCurve> field_lines(const WaterRaster& raster, const std::vector<float>& width,
+                                     const AreaQuery& lines_in, const FieldWall& wall,
+                                     double tolerance_m, const FieldLinesOptions& options) {
+  const Front front = march(raster, width, front_of(raster, width, wall, tolerance_m));
+  return pieces_of(front_lines(raster, front, 0.5 * options.spacing, options.spacing, kCurveStep,
+                               options.smooth_passes),
+                   raster, width, lines_in);
 }
 
 double least_line_m(const WaterRaster& raster, const std::vector<float>& width) {

@@ -24,8 +24,7 @@ struct FieldLinesOptions {
 
 /// Survey lines along the level sets u = (k + 1/2) spacing of |grad u| = 1/W, u = 0 on the wall:
 /// spacing follows the depth, and their length is about the area's integral of 1/W, which no plan
-/// without gaps beats (coarea formula). Smoothed, clipped to `lines_in`, with points each
-/// kFieldStep; pieces shorter than kShortestField of their swath are left out.
+/// without gaps beats (coarea formula). Smoothed and cut by `pieces_of`.
 /// `tolerance_m`: cells of the outline this near to the wall start the front.
 [[nodiscard]] std::vector<SurveyCurve> field_lines(const WaterRaster& raster,
                                                    const std::vector<float>& width,
@@ -43,6 +42,13 @@ struct FieldLinesOptions {
 [[nodiscard]] std::vector<SurveyCurve> front_lines(const WaterRaster& raster, const Front& front,
                                                    double first, double spacing, double step_m,
                                                    int smooth_passes);
+
+/// What of smooth curves with points kCurveStep apart lies in `lines_in`, with points each
+/// kFieldStep; pieces shorter than kShortestField of their swath are left out.
+[[nodiscard]] std::vector<SurveyCurve> pieces_of(const std::vector<SurveyCurve>& curves,
+                                                 const WaterRaster& raster,
+                                                 const std::vector<float>& width,
+                                                 const AreaQuery& lines_in);
 
 /// Integral of 1/W over the area: the least metres of line for gap-free coverage.
 [[nodiscard]] double least_line_m(const WaterRaster& raster, const std::vector<float>& width);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "mesh/error.h"
-#include "planners/field_lines.h"
+#include "planners/field_search_internal.h"
 #include "planners/infill.h"
 #include "planners/line_workshop.h"
 #include "planners/straight_search_internal.h"
@@ -41,11 +41,6 @@ constexpr const char* kNoLines =
     "and "
     "the vehicle's draft and clearance";
 
-struct Finished {
-  BuiltRoute built;
-  Outcome outcome;
-};
-
 /// Rays of a plan of about two ideal lengths.
 double rays_of_plan(const LineWorkshop& shop) {
   const PlanOptions& o = shop.options();
@@ -70,15 +65,15 @@ SearchBudget budget_for(const LineWorkshop& shop) {
   return budget;
 }
 
-std::vector<Outcome> outcomes_of(const std::vector<Finished>& plans) {
+std::vector<Outcome> outcomes_of(const std::vector<JudgedLines>& plans) {
   std::vector<Outcome> outcomes;
   outcomes.reserve(plans.size());
-  for (const Finished& f : plans) outcomes.push_back(f.outcome);
+  for (const JudgedLines& f : plans) outcomes.push_back(f.outcome);
   return outcomes;
 }
 
 /// Adds to `plans` what infill makes of the best of them.
-void infill_best(std::vector<Finished>& plans, LineWorkshop& shop) {
+void infill_best(std::vector<JudgedLines>& plans, LineWorkshop& shop) {
   const std::vector<Outcome> outcomes = outcomes_of(plans);
   const std::vector<std::size_t> front = pareto_front(outcomes);
   std::vector<std::size_t> best = about_the_goal(outcomes, front, shop.options().goal);
@@ -102,55 +97,9 @@ void infill_best(std::vector<Finished>& plans, LineWorkshop& shop) {
   }
 }
 
-/// Walls that fronts start from, and what is tried on each.
-constexpr std::size_t kFieldWalls = 3;
-constexpr double kFieldSpacings[] = {0.9, 1.0, 1.12, 1.25};
-constexpr double kFieldGap = 1.2;
-constexpr LineAnglesOptions kFieldAngles{
-    .overlap_m = 0.5, .widest_share = 1.0, .by_distance = false};
-constexpr std::size_t kFieldFinalists = 3;
-/// Field lines bend, and the outside of a bend is sounded thinly: with cells under so many pings
-/// straight lines did better wherever it was tried.
-constexpr double kPingsACell = 2.0;
-
-/// Lines along fronts from the area's long walls.
-void add_field_plans(std::vector<Finished>& plans, LineWorkshop& shop) {
-  const PlanOptions& options = shop.options();
-  const double counted = counted_share(options);
-  const std::vector<float>& width = shop.width(kFieldGap);
-  // Walls are straight to a tenth of a footprint: quays have steps and bollards.
-  const double tolerance = 0.1 * footprint_width_m(options);
-  const int passes = options.resolution_m >= kPingsACell * options.ping_spacing_m ? 60 : 200;
-  struct Tried {
-    Outcome outcome;
-    std::vector<SurveyCurve> lines;
-  };
-  std::vector<Tried> tried;
-  int number = 0;
-  for (const FieldWall& wall : long_walls(shop.ground().survey_area, tolerance, kFieldWalls)) {
-    ++number;
-    for (const double spacing : kFieldSpacings) {
-      const auto lines = field_lines(shop.raster(), width, shop.lines_in(), wall, tolerance,
-                                     {.spacing = spacing * counted, .smooth_passes = passes});
-      if (lines.empty()) continue;
-      const std::string what =
-          fmt::format("field lines from wall {}, {:.2f} swaths apart", number, spacing);
-      tried.push_back(
-          {shop.estimate(lines, width, kFieldAngles, budget_for(shop).coarse, what), lines});
-    }
-  }
-  std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) {
-    return worth(a.outcome) > worth(b.outcome);
-  });
-  for (std::size_t i = 0; i < std::min(kFieldFinalists, tried.size()); ++i) {
-    plans.push_back({shop.build(tried[i].lines, width, kFieldAngles), {}});
-    plans.back().outcome = shop.judge(plans.back().built.route, 1, tried[i].outcome.what);
-  }
-}
-
 /// Of the plans that no other beats, the best of each band of length (one with fewer infeasible
 /// legs, if any): a list that people can read.
-std::vector<std::size_t> choices_of(const std::vector<Finished>& plans) {
+std::vector<std::size_t> choices_of(const std::vector<JudgedLines>& plans) {
   std::vector<std::size_t> kept;
   const auto front = pareto_front(outcomes_of(plans));
   for (auto it = front.rbegin(); it != front.rend(); ++it) {
@@ -188,15 +137,16 @@ Plan plan_fitted_lines(const PlanningGround& ground, const PlanOptions& options)
   check(options);
   LineWorkshop shop(ground, options);
   if (ground.scene == nullptr) return unseen_plan(shop);
-  std::vector<Finished> plans;
+  std::vector<JudgedLines> plans;
   if (options.lines != LineSource::field) {
     for (JudgedCandidate& j : search_straight_lines(shop, budget_for(shop))) {
       plans.push_back({std::move(j.built), std::move(j.outcome)});
     }
   }
-  const bool bends_pay = options.resolution_m >= kPingsACell * options.ping_spacing_m;
-  if (options.lines == LineSource::field || (options.lines == LineSource::automatic && bends_pay)) {
-    add_field_plans(plans, shop);
+  if (options.lines != LineSource::straight) {
+    for (JudgedLines& j : search_curved_lines(shop, budget_for(shop).coarse)) {
+      plans.push_back(std::move(j));
+    }
   }
   if (plans.empty()) throw InvalidInput(kNoLines);
   infill_best(plans, shop);
@@ -212,7 +162,7 @@ Plan plan_fitted_lines(const PlanningGround& ground, const PlanOptions& options)
   const Pick picked = pick(plan.choices, options.goal);
   plan.chosen = picked.index;
   plan.chosen_why = picked.why;
-  Finished& best = plans[kept[picked.index]];
+  JudgedLines& best = plans[kept[picked.index]];
   BuiltRoute built = shop.finished(std::move(best.built));
   plan.route = std::move(built.route);
   plan.notes = std::move(built.notes);
