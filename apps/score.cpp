@@ -63,6 +63,18 @@ Plan with_passes(const Plan& plan, const ScoreCommand& command, const Site& site
   return result;
 }
 
+/// What is to be said of the route as given, then of the one with infill.
+void print_notes(const std::vector<PlannedSurvey>& surveys) {
+  for (const PlannedSurvey& survey : surveys) {
+    for (const std::string& note : survey.plan.notes) {
+      if (surveys.size() == 1)
+        fmt::print(stderr, "note: {}\n", note);
+      else
+        fmt::print(stderr, "note: {}: {}\n", survey.label, note);
+    }
+  }
+}
+
 void run(const ScoreCommand& command) {
   static_cast<void>(score_options(command.survey));
   const Vehicle vehicle = vehicle_of(command.survey);
@@ -98,9 +110,7 @@ void run(const ScoreCommand& command) {
   write_survey_report(folder / "report.html",
                       fmt::format("{}: {}", command.site.file.filename().string(), name), surveys,
                       *site, command.survey, provenance);
-  for (const std::string& note : surveys[0].plan.notes) {
-    if (!command.output.quiet) fmt::print(stderr, "note: {}\n", note);
-  }
+  if (!command.output.quiet) print_notes(surveys);
   if (command.output.json) {
     // With infill the figures asked for are those of the route that was made.
     fmt::print("{}", score_json(surveys.back().planner, surveys.back().scored.score, provenance));
