@@ -93,6 +93,15 @@ std::string row(const std::string& method, const DesignedLines& d) {
                      100.0 * d.figures.missed, 100.0 * d.figures.overlap, d.what);
 }
 
+/// Says that a method could not do what was asked for; empty where it could.
+std::string missed_note(const std::string& method, const DesignedLines& d, double allowed_pct) {
+  if (100.0 * d.figures.missed <= allowed_pct) return {};
+  return fmt::format(
+      "note: {}: misses {:.3f} % where --missed {:g} was asked for; what shoals or ragged edges "
+      "leave costs many lines: allow more, or use 'plan' in confined water\n",
+      method, 100.0 * d.figures.missed, allowed_pct);
+}
+
 void write_lines(const std::filesystem::path& folder, const DesignedLines& designed,
                  const Site& site, const DesignGround& judge, const LinesCommand& c) {
   const Frame& frame = site.seafloor().frame;
@@ -124,17 +133,20 @@ void run(const LinesCommand& c) {
   std::string table =
       fmt::format("{:<15} {:>6} {:>6} {:>11} {:>8} {:>9} {:>9}  {}\n", "method", "lines", "passes",
                   "length [m]", "ratio", "missed %", "overlap %", "how");
+  std::string notes;
   for (const std::string& name : c.methods) {
     options.method = method_of(name);
     const DesignedLines designed = design_lines(planning, search, judge, options);
     write_lines(c.output.folder / name, designed, *site, judge, c);
     json["methods"].push_back(figures_json(name, designed));
     table += row(name, designed);
+    notes += missed_note(name, designed, 100.0 * options.most_missed);
   }
   write_text_atomically(c.output.folder / "lines.json", internal::json_text(json));
   if (c.output.json) {
     fmt::print("{}", internal::json_text(json));
   } else if (!c.output.quiet) {
+    fmt::print(stderr, "{}", notes);
     fmt::print("{}ratio: of the length to the area's integral of 1/W, turns left out\n", table);
   }
 }

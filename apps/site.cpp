@@ -22,6 +22,7 @@ std::string pieces(Area area, const Frame& frame) {
   std::string text = fmt::format("{} piece{}{}", area.size(), area.size() == 1 ? "" : "s",
                                  area.size() == 1 ? ":" : "; the largest:");
   for (std::size_t i = 0; i < std::min(area.size(), kMostPlaces); ++i) {
+    if (i > 0 && area_m2({area[i]}) < kWorthSaying) break;
     const Vec2 at = frame.to_file(inner_point({area[i]}));
     text += fmt::format("{} {:.0f} m2 about ({:.1f}, {:.1f})", i > 0 ? "," : "", area_m2({area[i]}),
                         at.x(), at.y());

@@ -43,7 +43,7 @@ Pick within(const std::vector<Outcome>& outcomes, const std::string& limit,
   const std::size_t found = best_of(outcomes, coverage, may);
   if (found != kNone) return {found, fmt::format("the most coverage within {}", limit)};
   return {best_of(outcomes, shortness, every),
-          fmt::format("the shortest plan: none stays within {}", limit)};
+          fmt::format("the shortest plan: none that was tried stays within {}", limit)};
 }
 
 }  // namespace
@@ -103,14 +103,15 @@ Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal) {
               fmt::format("the shortest plan with at least {:g} % coverage", *goal.coverage_pct)};
     }
     return {best_of(outcomes, coverage, every),
-            fmt::format("the most coverage: no plan reaches {:g} %", *goal.coverage_pct)};
+            fmt::format("the most coverage: no plan that was tried reaches {:g} %",
+                        *goal.coverage_pct)};
   }
   if (goal.length_m) {
     return within(outcomes, fmt::format("{:g} m of path", *goal.length_m),
                   [&](const Outcome& o) { return o.length_m <= *goal.length_m; });
   }
   if (goal.time_s) {
-    return within(outcomes, fmt::format("{:g} s", *goal.time_s),
+    return within(outcomes, fmt::format("{:.4g} h", *goal.time_s / 3600.0),
                   [&](const Outcome& o) { return o.duration_s <= *goal.time_s; });
   }
   const bool steerable = std::all_of(outcomes.begin(), outcomes.end(),

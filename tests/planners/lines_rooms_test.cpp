@@ -77,7 +77,7 @@ TEST(ParetoPick, FollowsTheGoalAndSaysWhenItIsOutOfReach) {
   EXPECT_EQ(pick(outcomes, {.coverage_pct = {}, .length_m = {}, .time_s = 60.0}).index, 0U);
   const Pick most = pick(outcomes, {.coverage_pct = 99.9, .length_m = {}, .time_s = {}});
   EXPECT_EQ(most.index, 2U);
-  EXPECT_NE(most.why.find("no plan reaches"), std::string::npos);
+  EXPECT_NE(most.why.find("no plan that was tried reaches"), std::string::npos);
 }
 
 TEST(ParetoPick, ListsWhatLiesAboutTheGoal) {

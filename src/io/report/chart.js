@@ -52,7 +52,7 @@ function drawChart(place) {
   svg('text', {x: 15, y: middle, 'text-anchor': 'middle', transform: `rotate(-90 15 ${middle})`},
     'coverage, % of cells'));
   for (const plan of plans) drawChoices(chart, plan, px, py);
-  drawPlans(chart, px, py, W);
+  drawPlans(chart, px, py, W, H - bottom);
   place.append(chart);
   for (const plan of plans) if (plan.choices.list.length) place.append(choicesText(plan));
 }
@@ -81,19 +81,38 @@ function withinMargin(choice) {
     `; ${number(choice.within_margin_pct, 2)} % without the margin of its swaths`;
 }
 
-function drawPlans(chart, px, py, width) {
-  const taken = [];
+/** Points that a name should not cover: plans, choices and the line between these. */
+function chartMarks(px, py) {
+  const marks = [];
+  for (const plan of plans) {
+    marks.push([px(plan.figures.length_ratio), py(covered(plan))]);
+    const at = plan.choices.list.map((c) => [px(c.length_ratio), py(c.coverage_pct)]);
+    at.forEach(([x, y], i) => {
+      const [bx, by] = at[Math.max(0, i - 1)];
+      const parts = Math.max(1, Math.ceil(Math.hypot(x - bx, y - by) / 8));
+      for (let k = 1; k <= parts; ++k) marks.push([bx + (x - bx) * k / parts, by + (y - by) * k / parts]);
+    });
+  }
+  return marks;
+}
+
+/** Names stand where they cover least: beside their plan, else above, below or farther off. */
+function drawPlans(chart, px, py, width, height) {
+  const marks = chartMarks(px, py), taken = [];
   for (const plan of [...plans].sort((a, b) => covered(b) - covered(a))) {
     const x = px(plan.figures.length_ratio), y = py(covered(plan));
     chart.append(svg('circle', {cx: x, cy: y, r: 6.5, fill: plan.tint, stroke: '#fff', 'stroke-width': 1.5}));
-    const wide = 7.5 * plan.name.length, gap = plan.choices.list.length ? 16 : 11;
-    const rightwards = x + wide + gap < width;
-    // A name stands clear of the line of choices, which rises to the right.
-    let ty = plan.choices.list.length ? y + 17 : y + 4;
-    while (taken.some(([a, b]) => Math.abs(a - x) < 110 && Math.abs(b - ty) < 14)) ty += 14;
-    taken.push([x, ty]);
-    chart.append(svg('text', {class: 'name', x: rightwards ? x + gap : x - gap, y: ty,
-      'text-anchor': rightwards ? 'start' : 'end'}, plan.name));
+    const wide = 8.6 * plan.name.length, gap = plan.choices.list.length ? 16 : 11;
+    const boxes = [0, 17, -15, 31, -29, 45, -43].flatMap((dy) =>
+      [x + gap, x - gap - wide, ...(dy ? [x - wide / 2] : [])].map((left) => [left, y + dy - 7, left + wide, y + dy + 7]));
+    const covers = ([l, t, r, b]) =>
+      marks.filter(([mx, my]) => mx > l - 6 && mx < r + 6 && my > t - 5 && my < b + 5).length +
+      100 * taken.filter((o) => l < o[2] && r > o[0] && t < o[3] && b > o[1]).length +
+      (l < 0 || r > width || t < 0 || b > height ? 1000 : 0);
+    const best = boxes.reduce((a, b) => covers(b) < covers(a) ? b : a);
+    taken.push(best);
+    chart.append(svg('text', {class: 'name', x: (best[0] + best[2]) / 2, y: best[1] + 11,
+      'text-anchor': 'middle'}, plan.name));
   }
 }
 

@@ -46,6 +46,9 @@ class Picture {
   }
 }
 
+/** Pixels under the ground that belong to the scale bar while all is shown. */
+const FOOT = 26;
+
 class MapView {
   constructor(parent, label, tallest, paint) {
     this.paint = paint;
@@ -63,20 +66,20 @@ class MapView {
     new ResizeObserver(redraw).observe(parent);
   }
 
-  scale() { return Math.min(this.width / view.w, this.height / view.h); }
+  scale() { return Math.min(this.width / view.w, (this.height - FOOT) / view.h); }
   toScreen(x, y) {
     const s = this.scale();
-    return [this.width / 2 + (x - view.x) * s, this.height / 2 - (y - view.y) * s];
+    return [this.width / 2 + (x - view.x) * s, (this.height - FOOT) / 2 - (y - view.y) * s];
   }
   toGround(px, py) {
     const s = this.scale();
-    return [view.x + (px - this.width / 2) / s, view.y - (py - this.height / 2) / s];
+    return [view.x + (px - this.width / 2) / s, view.y - (py - (this.height - FOOT) / 2) / s];
   }
 
   fit() {
     this.width = this.canvas.parentElement.clientWidth;
     const shape = Math.min(1.35, Math.max(0.42, home.h / home.w));
-    this.height = Math.round(Math.min(this.tallest, this.width * shape));
+    this.height = Math.round(Math.min(this.tallest, this.width * shape)) + FOOT;
     const density = Math.max(2, window.devicePixelRatio || 1);
     if (this.canvas.width !== Math.round(this.width * density) ||
         this.canvas.height !== Math.round(this.height * density)) {
@@ -249,7 +252,10 @@ class MapView {
     const power = 10 ** Math.floor(Math.log10(most));
     const length = (most / power >= 5 ? 5 : most / power >= 2 ? 2 : 1) * power;
     const pixels = length * this.scale();
-    const x = 12, y = this.height - 12;
+    const x = 12, y = this.height - 8;
+    // Close up the ground reaches under the bar; a plate keeps it legible.
+    this.ink.fillStyle = 'rgba(255,255,255,0.75)';
+    this.ink.fillRect(x - 6, y - FOOT + 6, pixels + 12, FOOT);
     const bar = () => {
       this.ink.beginPath();
       this.ink.moveTo(x, y - 5); this.ink.lineTo(x, y);
