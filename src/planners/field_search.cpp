@@ -17,7 +17,6 @@ constexpr double kFieldSpacings[] = {0.9, 1.0, 1.12, 1.25};
 constexpr double kFieldGap = 1.2;
 constexpr LineAnglesOptions kFieldAngles{
     .overlap_m = 0.5, .widest_share = 1.0, .by_distance = false};
-constexpr std::size_t kFieldFinalists = 3;
 /// Field lines bend, and the outside of a bend is sounded thinly: with cells under so many pings
 /// straight lines did better wherever it was tried.
 constexpr double kPingsACell = 2.0;
@@ -46,9 +45,9 @@ std::string describe(const std::vector<ChannelSection>& sections) {
 
 class CurvedSearch {
  public:
-  CurvedSearch(LineWorkshop& shop, int coarse)
+  CurvedSearch(LineWorkshop& shop, const SearchBudget& budget)
       : shop_(shop),
-        coarse_(coarse),
+        budget_(budget),
         counted_(counted_share(shop.options())),
         passes_(coarse_cells() ? 60 : 200),
         width_(shop.width(kFieldGap)) {}
@@ -74,7 +73,7 @@ class CurvedSearch {
     std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) {
       return worth(a.outcome) > worth(b.outcome);
     });
-    if (tried.size() > kFieldFinalists) tried.resize(kFieldFinalists);
+    if (tried.size() > budget_.curved_finalists) tried.resize(budget_.curved_finalists);
     return finished(tried);
   }
 
@@ -103,7 +102,7 @@ class CurvedSearch {
     std::vector<Tried> best;
     for (const std::size_t i :
          spread(outcomes, pareto_front(outcomes),
-                {std::begin(kChannelPrices), std::end(kChannelPrices)}, kFieldFinalists)) {
+                {std::begin(kChannelPrices), std::end(kChannelPrices)}, budget_.curved_finalists)) {
       best.push_back(tried[i]);
     }
     return finished(best);
@@ -112,7 +111,7 @@ class CurvedSearch {
  private:
   void add(std::vector<SurveyCurve> lines, const std::string& what, std::vector<Tried>& tried) {
     if (lines.empty()) return;
-    Outcome outcome = shop_.estimate(lines, width_, kFieldAngles, coarse_, what);
+    Outcome outcome = shop_.estimate(lines, width_, kFieldAngles, budget_.coarse, what);
     tried.push_back({std::move(outcome), std::move(lines)});
   }
 
@@ -126,7 +125,7 @@ class CurvedSearch {
   }
 
   LineWorkshop& shop_;
-  int coarse_;
+  const SearchBudget& budget_;
   double counted_;
   int passes_;
   const std::vector<float>& width_;
@@ -134,8 +133,8 @@ class CurvedSearch {
 
 }  // namespace
 
-std::vector<JudgedLines> search_curved_lines(LineWorkshop& shop, int coarse) {
-  CurvedSearch search(shop, coarse);
+std::vector<JudgedLines> search_curved_lines(LineWorkshop& shop, const SearchBudget& budget) {
+  CurvedSearch search(shop, budget);
   std::vector<JudgedLines> plans;
   if (search.coarse_cells() || shop.options().lines == LineSource::field) {
     plans = search.from_walls();

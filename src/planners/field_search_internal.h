@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planners/line_workshop.h"
+#include "planners/straight_search_internal.h"
 
 namespace swathplan {
 
@@ -14,7 +14,7 @@ struct JudgedLines {
 
 /// The best few plans of lines that bend: along fronts from the area's long walls (where cells are
 /// coarse enough, or the options ask for them), and along both banks of a channel or a ring.
-/// Candidates are estimated on cells `coarse` times as wide.
-[[nodiscard]] std::vector<JudgedLines> search_curved_lines(LineWorkshop& shop, int coarse);
+[[nodiscard]] std::vector<JudgedLines> search_curved_lines(LineWorkshop& shop,
+                                                           const SearchBudget& budget);
 
 }  // namespace swathplan

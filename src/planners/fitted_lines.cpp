@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesh/error.h"
+#include "planners/field_lines.h"
 #include "planners/field_search_internal.h"
 #include "planners/infill.h"
 #include "planners/line_workshop.h"
@@ -27,10 +28,19 @@ constexpr double kRaysToSteer = 3e6;
 /// costs tens of seconds a plan, so fewer plans get that far.
 constexpr double kRaysOfLarge = 3e7;
 constexpr std::size_t kFewFinalists = 3;
+/// Sites whose gap-free lines cost more rays than this are huge: one exact score takes the better
+/// part of a minute. There candidates are judged on cells so coarse that all of them cost about
+/// kRaysOfHuge / 2, and hardly more than one plan of each kind is finished.
+constexpr double kRaysOfHuge = 2e8;
+constexpr int kCoarsest = 4;
+constexpr int kCandidatesOfHuge = 16;
+/// Lines and joins come to about this many times the gap-free lines.
+constexpr double kPathOfLeast = 1.2;
+constexpr double kGapOfLeast = 1.2;
 /// Prices of infill, as shares of W that a metre must bring: dear ones first.
 constexpr double kInfillGains[] = {0.3, 0.13, 0.07};
 /// Choices differ in length by at least this share.
-constexpr double kBand = 0.005;
+constexpr double kBand = 0.0025;
 /// Infill is tried on so many plans: the best at these prices, in points an ideal length, in turn.
 constexpr double kInfillPrices[] = {kWorthPerRatio, 9.0, 12.0, 1.5};
 constexpr std::size_t kInfillOn = 4;
@@ -48,9 +58,30 @@ double rays_of_plan(const LineWorkshop& shop) {
   return path / o.ping_spacing_m * o.sonar.beams;
 }
 
+/// Rays of a plan without gaps: many more where the fan is too narrow for the footprint width.
+double rays_without_gaps(LineWorkshop& shop) {
+  const PlanOptions& o = shop.options();
+  const double path = kPathOfLeast * least_line_m(shop.raster(), shop.width(kGapOfLeast));
+  return path / o.ping_spacing_m * o.sonar.beams;
+}
+
+bool is_huge(LineWorkshop& shop) { return rays_without_gaps(shop) > kRaysOfHuge; }
+
 bool is_large(const LineWorkshop& shop) { return rays_of_plan(shop) > kRaysOfLarge; }
 
-SearchBudget budget_for(const LineWorkshop& shop) {
+SearchBudget budget_of_huge(LineWorkshop& shop) {
+  const double one = kRaysOfHuge / (2.0 * kCandidatesOfHuge);
+  const double coarse = std::ceil(std::sqrt(rays_without_gaps(shop) / one));
+  return {.candidates = kCandidatesOfHuge,
+          .coarse = std::min(kCoarsest, static_cast<int>(coarse)),
+          .steered = false,
+          .finalists = 2,
+          .block_prices = {},
+          .curved_finalists = 1};
+}
+
+SearchBudget budget_for(LineWorkshop& shop) {
+  if (is_huge(shop)) return budget_of_huge(shop);
   const double rays = rays_of_plan(shop);
   SearchBudget budget;
   if (is_large(shop)) {
@@ -75,13 +106,15 @@ std::vector<Outcome> outcomes_of(const std::vector<JudgedLines>& plans) {
 /// Adds to `plans` what infill makes of the best of them.
 void infill_best(std::vector<JudgedLines>& plans, LineWorkshop& shop) {
   const std::vector<Outcome> outcomes = outcomes_of(plans);
+  const bool huge = is_huge(shop);
   const std::vector<std::size_t> front = pareto_front(outcomes);
   std::vector<std::size_t> best = about_the_goal(outcomes, front, shop.options().goal);
+  const std::size_t count = huge ? 1 : is_large(shop) ? kInfillOnLarge : kInfillOn;
   for (const std::size_t i :
-       spread(outcomes, front, {std::begin(kInfillPrices), std::end(kInfillPrices)},
-              is_large(shop) ? kInfillOnLarge : kInfillOn)) {
+       spread(outcomes, front, {std::begin(kInfillPrices), std::end(kInfillPrices)}, count)) {
     if (std::find(best.begin(), best.end(), i) == best.end()) best.push_back(i);
   }
+  if (huge && !best.empty()) best.resize(count);
   for (const std::size_t i : best) {
     const CoverageGrid grid = shop.score(plans[i].built.route).grid;
     std::size_t before = 0;
@@ -93,6 +126,7 @@ void infill_best(std::vector<JudgedLines>& plans, LineWorkshop& shop) {
                                            counted(filled.passes, "infill pass", "infill passes"));
       plans.push_back({std::move(filled.built), {}});
       plans.back().outcome = shop.judge(plans.back().built.route, 1, what);
+      if (huge) break;
     }
   }
 }
@@ -144,7 +178,7 @@ Plan plan_fitted_lines(const PlanningGround& ground, const PlanOptions& options)
     }
   }
   if (options.lines != LineSource::straight) {
-    for (JudgedLines& j : search_curved_lines(shop, budget_for(shop).coarse)) {
+    for (JudgedLines& j : search_curved_lines(shop, budget_for(shop))) {
       plans.push_back(std::move(j));
     }
   }

@@ -47,6 +47,7 @@ struct SearchBudget {
   std::size_t finalists = 8;  ///< that are built and scored in full at the end
   /// Points of coverage an ideal length that finalists' rows are mixed for, block by block.
   std::vector<double> block_prices = {5.0, 9.0, 12.0};
+  std::size_t curved_finalists = 3;  ///< of lines that bend, for each way to lay them
 };
 
 /// Tries straight lines in many directions and numbers, then varies those that nothing beats, until
