@@ -46,9 +46,16 @@ void run(const CompareCommand& command) {
   remove_old(folder, {"compare.json", "report.html"});
   std::vector<PlannedSurvey> surveys;
   auto json = nlohmann::ordered_json::array();
+  const auto write_overview = [&] {
+    write_text_atomically(folder / "compare.json", json.dump(2) + "\n");
+    write_survey_report(folder / "report.html", command.site.file.filename().string(), surveys,
+                        *site, command.survey, provenance);
+  };
   {
     const Scorer scorer(*site, command.survey, command.output.quiet);
     for (const Planner* p : chosen) {
+      // The last one takes longest as a rule; if it is cut short, the others still have a page.
+      if (p == chosen.back() && !surveys.empty()) write_overview();
       try {
         surveys.push_back(plan_and_score(*p, *site, command.survey, scorer));
       } catch (const InvalidInput& e) {
@@ -67,9 +74,7 @@ void run(const CompareCommand& command) {
       if (!command.output.quiet) fmt::print(stderr, "{}", choices_table(survey.plan));
     }
   }
-  write_text_atomically(folder / "compare.json", json.dump(2) + "\n");
-  write_survey_report(folder / "report.html", command.site.file.filename().string(), surveys, *site,
-                      command.survey, provenance);
+  write_overview();  // with the notes on planners that were left out
   if (command.output.json) {
     fmt::print("{}\n", json.dump(2));
   } else if (!command.output.quiet) {
