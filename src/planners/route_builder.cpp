@@ -9,6 +9,7 @@
 #include "planners/line_poses.h"
 #include "planners/route_stretches.h"
 #include "planners/steer.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
@@ -17,6 +18,8 @@ namespace {
 constexpr double kMostShortened = 0.45;
 /// Run-ins that do not fit are shortened in this many steps.
 constexpr int kRunSteps = 16;
+/// Notes name so many joins without a forward way; those across land are all named.
+constexpr std::size_t kJoinsSaid = 5;
 
 std::vector<Vec2> positions(const std::vector<Waypoint>& line) {
   std::vector<Vec2> points;
@@ -155,8 +158,9 @@ void RouteBuilder::join_to(std::vector<Waypoint>& line) {
   join.region.reset();
   join.log = false;
   join.feasible = feasible;
-  if (!feasible) notes_.push_back(way.reason);
-  if (!feasible && !connector_.in_water(way.points)) join.fan.reset();
+  const bool overland = !feasible && !connector_.in_water(way.points);
+  if (overland || (!feasible && ++tight_joins_ <= kJoinsSaid)) notes_.push_back(way.reason);
+  if (overland) join.fan.reset();
   before.back() = join;
   for (std::size_t i = 1; i + 1 < way.points.size(); ++i) {
     join.position = way.points[i];
@@ -190,22 +194,26 @@ void RouteBuilder::append(const std::vector<Waypoint>& join, const std::vector<W
 
 std::vector<std::string> RouteBuilder::notes() const {
   std::vector<std::string> all = notes_;
+  if (tight_joins_ > kJoinsSaid) {
+    all.push_back(fmt::format("the same holds for {}; plan.json and the report list them all",
+                              counted(tight_joins_ - kJoinsSaid, "more join")));
+  }
   if (smoother_ && smoother_->tally().joins > 0) all.push_back(note(smoother_->tally()));
   if (loops_ > 0) {
     all.push_back(fmt::format(
-        "{} turns of lines are tighter than {:g} m and are taken by a loop; mending tight turns "
-        "changed the length by {:.0f} m",
-        loops_, vehicle_.turn_radius_m, loop_m_));
+        "{} of lines tighter than {:g} m {} taken by a loop; mending tight turns changed the "
+        "length by {:.0f} m",
+        counted(loops_, "turn"), vehicle_.turn_radius_m, loops_ == 1 ? "is" : "are", loop_m_));
   }
   if (left_tight_ > 0) {
-    all.push_back(
-        fmt::format("{} turns of lines stay tighter than {:g} m: no forward way around them stays "
-                    "in safe water",
-                    left_tight_, vehicle_.turn_radius_m));
+    all.push_back(fmt::format(
+        "{} of lines left tighter than {:g} m: no forward way around stays in safe water",
+        counted(left_tight_, "turn"), vehicle_.turn_radius_m));
   }
   if (short_runs_ > 0) {
-    all.push_back(fmt::format("{} run-ins or run-outs are shorter than asked for: safe water ends",
-                              short_runs_));
+    all.push_back(
+        fmt::format("{} shorter than asked for: safe water ends",
+                    counted(short_runs_, "run-in or run-out is", "run-ins or run-outs are")));
   }
   return all;
 }

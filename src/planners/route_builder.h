@@ -58,7 +58,7 @@ class RouteBuilder {
   Route route_;
   std::size_t line_begin_ = 0;  // of the last line in the route
   std::vector<std::string> notes_;
-  std::size_t loops_ = 0, left_tight_ = 0, short_runs_ = 0;
+  std::size_t tight_joins_ = 0, loops_ = 0, left_tight_ = 0, short_runs_ = 0;
   double loop_m_ = 0.0;
 };
 
