@@ -40,7 +40,7 @@ constexpr double kGapOfLeast = 1.2;
 /// Prices of infill, as shares of W that a metre must bring: dear ones first.
 constexpr double kInfillGains[] = {0.3, 0.13, 0.07};
 /// Choices differ in length by at least this share.
-constexpr double kBand = 0.0025;
+constexpr double kBand = 0.001;
 /// Infill is tried on so many plans: the best at these prices, in points an ideal length, in turn.
 constexpr double kInfillPrices[] = {kWorthPerRatio, 9.0, 12.0, 1.5};
 constexpr std::size_t kInfillOn = 4;
@@ -193,7 +193,7 @@ Plan plan_fitted_lines(const PlanningGround& ground, const PlanOptions& options)
       plan.choices.back().whole_cover_pct = shop.cover_pct(whole);
     }
   }
-  const Pick picked = pick(plan.choices, options.goal);
+  const Pick picked = pick(plan.choices, options.goal, shop.price());
   plan.chosen = picked.index;
   plan.chosen_why = picked.why;
   JudgedLines& best = plans[kept[picked.index]];

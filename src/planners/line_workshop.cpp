@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planners/field_lines.h"
+
 namespace swathplan {
 
 LineWorkshop::LineWorkshop(const PlanningGround& ground, const PlanOptions& options)
@@ -20,6 +22,13 @@ const std::vector<float>& LineWorkshop::width(double gap) {
   auto [it, fresh] = widths_.try_emplace(gap);
   if (fresh) it->second = width_field(raster_, options_, gap);
   return it->second;
+}
+
+double LineWorkshop::price() {
+  // Fans a little wider than without gaps, as candidates have them.
+  constexpr double kGap = 1.2;
+  const double ideal = area_m2(ground_.survey_area) / footprint_width_m(options_);
+  return worth_per_ratio(least_line_m(raster_, width(kGap)) / ideal);
 }
 
 LineEnds ends_of(const std::vector<Waypoint>& line) {

@@ -33,6 +33,9 @@ class LineWorkshop {
   /// W at a gap of `gap` scoring cells; kept.
   [[nodiscard]] const std::vector<float>& width(double gap);
 
+  /// worth_per_ratio() for the area: by the least metres of line that leave no gap.
+  [[nodiscard]] double price();
+
   /// Lines with their fans opened, ordered and joined.
   [[nodiscard]] BuiltRoute build(const std::vector<SurveyCurve>& lines,
                                  const std::vector<float>& width, const LineAnglesOptions& angles);

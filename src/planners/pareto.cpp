@@ -94,7 +94,11 @@ std::vector<std::size_t> spread(const std::vector<Outcome>& outcomes,
   return list;
 }
 
-Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal) {
+double worth_per_ratio(double least_ratio) {
+  return kWorthPerRatio / std::max(1.0, least_ratio / kUsualRatio);
+}
+
+Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal, double price) {
   if (goal.coverage_pct) {
     const std::size_t found = best_of(
         outcomes, shortness, [&](const Outcome& o) { return o.cover_pct >= *goal.coverage_pct; });
@@ -118,20 +122,20 @@ Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal) {
                                      [](const Outcome& o) { return o.infeasible_legs == 0; });
   return {
       best_of(
-          outcomes, [](const Outcome& o) { return worth(o); }, every),
+          outcomes, [&](const Outcome& o) { return worth(o, price); }, every),
       fmt::format(
-          "the best of coverage less {:g} points for each ideal length{}", kWorthPerRatio,
+          "the best of coverage less {:.2g} points for each ideal length{}", price,
           steerable ? "" : fmt::format(" and {:g} for each infeasible leg", kWorthPerInfeasible))};
 }
 
 bool any(const PlanGoal& goal) { return goal.coverage_pct || goal.length_m || goal.time_s; }
 
 std::size_t pick_among(const std::vector<Outcome>& outcomes, const std::vector<std::size_t>& among,
-                       const PlanGoal& goal) {
+                       const PlanGoal& goal, double price) {
   std::vector<Outcome> list;
   list.reserve(among.size());
   for (const std::size_t i : among) list.push_back(outcomes[i]);
-  return among[pick(list, goal).index];
+  return among[pick(list, goal, price).index];
 }
 
 std::vector<std::size_t> about_the_goal(const std::vector<Outcome>& outcomes,

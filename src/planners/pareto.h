@@ -22,7 +22,7 @@ struct Outcome {
   std::size_t infeasible_legs = 0;  ///< that the vehicle cannot steer as drawn
   Cover cover = Cover::hit;
   /// Covered by whole swaths, where `cover_pct` counts only what a margin leaves of them.
-  std::optional<double> whole_cover_pct;
+  std::optional<double> whole_cover_pct = {};
 };
 /// What the plan covers if all goes well, %: whole swaths.
 [[nodiscard]] double expected_cover_pct(const Outcome& outcome);
@@ -41,18 +41,29 @@ struct PlanGoal {
 /// Whether anything is.
 [[nodiscard]] bool any(const PlanGoal& goal);
 
+/// Points of coverage that one more ideal length must bring where nothing else is asked for.
+inline constexpr double kWorthPerRatio = 4.0;
+/// Points of coverage that a plan with one infeasible leg less may lack.
+inline constexpr double kWorthPerInfeasible = 2.0;
+/// The first where gap-free lines alone take `least_ratio` ideal lengths: with a fan too narrow to
+/// sweep W every plan takes more of them, so each is worth less, from kUsualRatio on.
+[[nodiscard]] double worth_per_ratio(double least_ratio);
+inline constexpr double kUsualRatio = 2.0;
+
 struct Pick {
   std::size_t index = 0;
   std::string why;  ///< one sentence
 };
 /// Chooses from outcomes (at least one). Where the goal is out of reach: the most coverage, or the
-/// shortest plan. With no goal: the most of worth(). An infeasible leg counts as
+/// shortest plan. With no goal: the most of worth() at `price`. An infeasible leg counts as
 /// kWorthPerInfeasible points, or the ideal lengths that are worth as much.
-[[nodiscard]] Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal);
+[[nodiscard]] Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal,
+                        double price = kWorthPerRatio);
 
 /// The one of the outcomes at `among` (at least one) that pick() chooses.
 [[nodiscard]] std::size_t pick_among(const std::vector<Outcome>& outcomes,
-                                     const std::vector<std::size_t>& among, const PlanGoal& goal);
+                                     const std::vector<std::size_t>& among, const PlanGoal& goal,
+                                     double price = kWorthPerRatio);
 
 /// Of a front (shortest first): what the goal picks, the next longer and the next shorter one,
 /// which may turn out to be what it asks for once they are judged in full or their gaps are filled;
@@ -61,10 +72,6 @@ struct Pick {
                                                       const std::vector<std::size_t>& front,
                                                       const PlanGoal& goal);
 
-/// Points of coverage that one more ideal length must bring where nothing else is asked for.
-inline constexpr double kWorthPerRatio = 4.0;
-/// Points of coverage that a plan with one infeasible leg less may lack.
-inline constexpr double kWorthPerInfeasible = 2.0;
 /// Coverage less `price` points for each ideal length and kWorthPerInfeasible for each infeasible
 /// leg.
 [[nodiscard]] double worth(const Outcome& outcome, double price = kWorthPerRatio);

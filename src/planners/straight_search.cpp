@@ -68,7 +68,8 @@ std::size_t fingerprint(const Route& route) {
 
 class Search {
  public:
-  Search(LineWorkshop& shop, const SearchBudget& budget) : shop_(shop), budget_(budget) {}
+  Search(LineWorkshop& shop, const SearchBudget& budget)
+      : shop_(shop), budget_(budget), price_(shop.price()) {}
 
   std::vector<JudgedCandidate> run() {
     first_candidates();
@@ -94,7 +95,7 @@ class Search {
       const std::size_t before = pool_.size();
       judge(c);
       if (pool_.size() > before &&
-          pick({pool_[base].outcome, pool_.back().outcome}, goal).index > 0)
+          pick({pool_[base].outcome, pool_.back().outcome}, goal, price_).index > 0)
         return;
     }
     varied_[base] = 1;
@@ -169,7 +170,7 @@ class Search {
     std::vector<std::size_t> list = front();
     std::erase_if(list, [&](std::size_t i) { return varied_[i] != 0; });
     if (list.empty()) return pool_.size();
-    return pick_among(outcomes_of(pool_), list, for_goal ? goal() : PlanGoal{});
+    return pick_among(outcomes_of(pool_), list, for_goal ? goal() : PlanGoal{}, price_);
   }
 
   [[nodiscard]] std::vector<std::size_t> front() const {
@@ -285,6 +286,7 @@ class Search {
 
   LineWorkshop& shop_;
   SearchBudget budget_;
+  double price_;  ///< of an ideal length, in points of coverage
   std::vector<JudgedCandidate> pool_;
   std::vector<char> varied_;
   std::vector<StraightCandidate> tried_;

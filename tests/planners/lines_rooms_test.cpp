@@ -80,6 +80,17 @@ TEST(ParetoPick, FollowsTheGoalAndSaysWhenItIsOutOfReach) {
   EXPECT_NE(most.why.find("no plan that was tried reaches"), std::string::npos);
 }
 
+TEST(ParetoPick, TakesMorePathWhereTheFanIsTooNarrow) {
+  EXPECT_EQ(worth_per_ratio(1.2), kWorthPerRatio);
+  EXPECT_EQ(worth_per_ratio(kUsualRatio), kWorthPerRatio);
+  EXPECT_EQ(worth_per_ratio(2.0 * kUsualRatio), 0.5 * kWorthPerRatio);
+  std::vector<Outcome> outcomes(2);
+  outcomes[0].length_ratio = 3.0, outcomes[0].cover_pct = 91.7;
+  outcomes[1].length_ratio = 5.0, outcomes[1].cover_pct = 97.5;
+  EXPECT_EQ(pick(outcomes, {}).index, 0U);
+  EXPECT_EQ(pick(outcomes, {}, worth_per_ratio(4.0)).index, 1U);
+}
+
 TEST(ParetoPick, ListsWhatLiesAboutTheGoal) {
   std::vector<Outcome> outcomes(4);
   for (std::size_t i = 0; i < 4; ++i) {
