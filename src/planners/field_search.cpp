@@ -22,8 +22,8 @@ constexpr LineAnglesOptions kFieldAngles{
 constexpr double kPingsACell = 2.0;
 /// Numbers of lines along a channel, as shares of the swaths across it.
 constexpr double kChannelShares[] = {0.75, 0.85, 0.95, 1.05, 1.2, 1.35};
-/// Finalists along a channel are the best at these prices, in points an ideal length.
-constexpr double kChannelPrices[] = {kWorthPerRatio, 1.5, 9.0};
+/// Finalists along a channel are the best at these multiples of the price of an ideal length.
+constexpr double kChannelPrices[] = {1.0, 0.375, 2.25};
 
 struct Tried {
   Outcome outcome;
@@ -70,8 +70,9 @@ class CurvedSearch {
             fmt::format("field lines from wall {}, {:.2f} swaths apart", number, spacing), tried);
       }
     }
-    std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) {
-      return worth(a.outcome) > worth(b.outcome);
+    const double price = shop_.price();
+    std::stable_sort(tried.begin(), tried.end(), [&](const Tried& a, const Tried& b) {
+      return worth(a.outcome, price) > worth(b.outcome, price);
     });
     if (tried.size() > budget_.curved_finalists) tried.resize(budget_.curved_finalists);
     return finished(tried);
@@ -101,8 +102,8 @@ class CurvedSearch {
     for (const Tried& t : tried) outcomes.push_back(t.outcome);
     std::vector<Tried> best;
     for (const std::size_t i :
-         spread(outcomes, pareto_front(outcomes),
-                {std::begin(kChannelPrices), std::end(kChannelPrices)}, budget_.curved_finalists)) {
+         spread(outcomes, pareto_front(outcomes), multiplied(kChannelPrices, shop_.price()),
+                budget_.curved_finalists)) {
       best.push_back(tried[i]);
     }
     return finished(best);

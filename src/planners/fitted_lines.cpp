@@ -41,9 +41,10 @@ constexpr double kGapOfLeast = 1.2;
 constexpr double kInfillGains[] = {0.3, 0.13, 0.07};
 /// Choices differ in length by at least this share.
 constexpr double kBand = 0.001;
-/// Infill is tried on so many plans: the best at these prices, in points an ideal length, in turn.
-constexpr double kInfillPrices[] = {kWorthPerRatio, 9.0, 12.0, 1.5};
-constexpr std::size_t kInfillOn = 4;
+/// Infill is tried on so many plans: the best at these multiples of the price of an ideal length,
+/// in turn.
+constexpr double kInfillPrices[] = {1.0, 2.25, 3.0, 0.375, 0.6};
+constexpr std::size_t kInfillOn = 5;
 constexpr std::size_t kInfillOnLarge = 2;
 
 constexpr const char* kNoLines =
@@ -111,7 +112,7 @@ void infill_best(std::vector<JudgedLines>& plans, LineWorkshop& shop) {
   std::vector<std::size_t> best = about_the_goal(outcomes, front, shop.options().goal);
   const std::size_t count = huge ? 1 : is_large(shop) ? kInfillOnLarge : kInfillOn;
   for (const std::size_t i :
-       spread(outcomes, front, {std::begin(kInfillPrices), std::end(kInfillPrices)}, count)) {
+       spread(outcomes, front, multiplied(kInfillPrices, shop.price()), count)) {
     if (std::find(best.begin(), best.end(), i) == best.end()) best.push_back(i);
   }
   if (huge && !best.empty()) best.resize(count);

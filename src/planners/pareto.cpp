@@ -79,6 +79,12 @@ double worth(const Outcome& outcome, double price) {
   return coverage(outcome) - price * outcome.length_ratio;
 }
 
+std::vector<double> multiplied(std::span<const double> shares, double price) {
+  std::vector<double> prices(shares.begin(), shares.end());
+  for (double& p : prices) p *= price;
+  return prices;
+}
+
 std::vector<std::size_t> spread(const std::vector<Outcome>& outcomes,
                                 std::vector<std::size_t> among, const std::vector<double>& prices,
                                 std::size_t count) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,8 @@ struct Pick {
 /// Coverage less `price` points for each ideal length and kWorthPerInfeasible for each infeasible
 /// leg.
 [[nodiscard]] double worth(const Outcome& outcome, double price = kWorthPerRatio);
+/// Prices as multiples of one.
+[[nodiscard]] std::vector<double> multiplied(std::span<const double> shares, double price);
 /// Up to `count` of the outcomes at `among`, the best at each of the prices in turn, so that short
 /// plans stand beside dense ones.
 [[nodiscard]] std::vector<std::size_t> spread(const std::vector<Outcome>& outcomes,

@@ -38,8 +38,9 @@ std::vector<double> directions(const LineWorkshop& shop) {
 /// Of two finalists with the same rows, lengths differ by at least this share.
 constexpr double kApart = 0.01;
 
-/// Finalists are the best at these prices, in points an ideal length: all-round, short, dense.
-constexpr double kFinalistPrices[] = {kWorthPerRatio, 9.0, 1.5};
+/// Finalists are the best at these multiples of the price of an ideal length: all-round, short,
+/// dense.
+constexpr double kFinalistPrices[] = {1.0, 2.25, 0.375};
 /// Blocks are compared on cells coarser than candidates' by this: ranks stay, for half the work.
 constexpr int kBlockCoarser = 1;
 /// Between plans whose lengths differ by this factor another is looked for.
@@ -223,8 +224,7 @@ class Search {
     std::vector<std::size_t> finalists = about_the_goal(outcomes, front(), goal());
     const std::size_t most = budget_.finalists + finalists.size() / 2;
     for (const std::size_t i :
-         spread(outcomes, front(), {std::begin(kFinalistPrices), std::end(kFinalistPrices)},
-                pool_.size())) {
+         spread(outcomes, front(), multiplied(kFinalistPrices, price_), pool_.size())) {
       finalists.push_back(i);
     }
     std::vector<JudgedCandidate> list;
