@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "temporary_folder.h"
+
 namespace swathplan::test {
 
 /// What a run of the program gave.
@@ -29,36 +31,24 @@ inline nlohmann::json json_of(const std::filesystem::path& file) {
   return nlohmann::json::parse(text_of(file));
 }
 
-/// A folder of its own for each test, removed at the end.
+/// A folder of its own for each test, and the program run in it.
 class Folder {
  public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "swathplan-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
   [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
-    return path_ / name;
+    return path() / name;
   }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
 
   std::filesystem::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return path_ / name;
+    std::ofstream(path() / name, std::ios::binary) << text;
+    return path() / name;
   }
 
   /// Runs `swathplan ARGUMENTS` with this folder as the working directory; 60 s at most.
   [[nodiscard]] Run run(const std::string& arguments) const {
-    const std::string out = (path_ / ".out").string();
-    const std::string err = (path_ / ".err").string();
-    const std::string command = "cd '" + path_.string() +
+    const std::string out = (path() / ".out").string();
+    const std::string err = (path() / ".err").string();
+    const std::string command = "cd '" + path().string() +
                                 "' && timeout 60 '" SWATHPLAN_PROGRAM "' " + arguments + " >'" +
                                 out + "' 2>'" + err + "' </dev/null";
     const int status = std::system(command.c_str());
@@ -72,7 +62,7 @@ class Folder {
   }
 
  private:
-  std::filesystem::path path_;
+  TemporaryFolder folder_;
 };
 
 inline std::string dataset(const std::string& name) {

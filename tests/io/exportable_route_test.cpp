@@ -12,6 +12,7 @@
 #include "mesh/error.h"
 #include "sample_plan.h"
 #include "sample_route.h"
+#include "temporary_folder.h"
 
 namespace swathplan {
 namespace {
