@@ -1,6 +1,6 @@
 // The options of the commands, as the command line shows them; options.cpp reads them.
 #include "apps/options.h"
-#include "apps/preset_names_internal.h"
+#include "apps/preset_names.h"
 
 namespace swathplan {
 

@@ -5,9 +5,9 @@
 #include "apps/commands.h"
 #include "apps/exports.h"
 #include "apps/outputs.h"
-#include "io/atomic_file.h"
-#include "io/score_json.h"
-#include "mesh/error.h"
+#include "io/files/atomic_file.h"
+#include "io/results/score_json.h"
+#include "mesh/base/error.h"
 
 namespace swathplan {
 namespace {

@@ -2,9 +2,9 @@
 
 #include "apps/commands.h"
 #include "apps/exports.h"
-#include "io/crs.h"
-#include "io/exportable_route.h"
-#include "mesh/error.h"
+#include "io/exports/exportable_route.h"
+#include "io/files/crs.h"
+#include "mesh/base/error.h"
 
 namespace swathplan {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "io/survey_runs.h"
+#include "io/exports/survey_runs.h"
 
 namespace swathplan {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "apps/site.h"
-#include "io/route_export.h"
+#include "io/exports/route_export.h"
 
 namespace swathplan {
 

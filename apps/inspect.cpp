@@ -4,7 +4,7 @@
 
 #include "apps/commands.h"
 #include "apps/options.h"
-#include "io/inspection.h"
+#include "io/seafloor/inspection.h"
 
 namespace swathplan {
 

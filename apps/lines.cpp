@@ -6,13 +6,13 @@
 #include "apps/commands.h"
 #include "apps/exports.h"
 #include "apps/outputs.h"
-#include "io/atomic_file.h"
-#include "io/lines_png.h"
-#include "io/provenance_internal.h"
-#include "io/route_csv.h"
-#include "io/route_geojson.h"
-#include "mesh/error.h"
-#include "planners/line_design.h"
+#include "io/files/atomic_file.h"
+#include "io/pictures/lines_png.h"
+#include "io/results/provenance_json.h"
+#include "io/route/route_csv.h"
+#include "io/route/route_geojson.h"
+#include "mesh/base/error.h"
+#include "planners/fitted/line_design.h"
 
 namespace swathplan {
 namespace {

@@ -5,10 +5,10 @@
 #include <new>
 #include <string>
 
-#include "apps/adapt.h"
+#include "apps/adapt/adapt.h"
 #include "apps/commands.h"
-#include "mesh/error.h"
-#include "mesh/memory.h"
+#include "mesh/base/allocator.h"
+#include "mesh/base/error.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "apps/preset_names_internal.h"
-#include "mesh/error.h"
-#include "planners/skeleton_smoothing.h"
+#include "apps/preset_names.h"
+#include "mesh/base/error.h"
+#include "planners/nuc/skeleton_smoothing.h"
 
 namespace swathplan {
 namespace {

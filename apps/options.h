@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "coverage/score.h"
-#include "io/import_seafloor.h"
-#include "io/provenance.h"
+#include "io/results/provenance.h"
+#include "io/seafloor/import_seafloor.h"
 #include "planners/plan.h"
 
 namespace swathplan {

@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
-#include "io/atomic_file.h"
-#include "io/coverage_raster.h"
-#include "io/holidays_geojson.h"
-#include "io/inspection.h"
-#include "io/plan_json.h"
+#include "io/exports/route_export.h"
+#include "io/files/atomic_file.h"
+#include "io/pictures/coverage_raster.h"
 #include "io/report/report.h"
-#include "io/route_csv.h"
-#include "io/route_export.h"
-#include "io/route_geojson.h"
-#include "io/score_json.h"
+#include "io/results/holidays_geojson.h"
+#include "io/results/plan_json.h"
+#include "io/results/score_json.h"
+#include "io/route/route_csv.h"
+#include "io/route/route_geojson.h"
+#include "io/seafloor/inspection.h"
 #include "planners/wording.h"
 
 namespace swathplan {

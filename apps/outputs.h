@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/run.h"
+#include "apps/planning.h"
 
 namespace swathplan {
 

@@ -3,7 +3,7 @@
 #include "apps/commands.h"
 #include "apps/exports.h"
 #include "apps/outputs.h"
-#include "io/score_json.h"
+#include "io/results/score_json.h"
 
 namespace swathplan {
 namespace {

@@ -2,10 +2,10 @@
 
 #include "apps/commands.h"
 #include "apps/outputs.h"
-#include "io/read_route.h"
-#include "io/score_json.h"
-#include "mesh/error.h"
-#include "planners/infill.h"
+#include "io/results/score_json.h"
+#include "io/route/read_route.h"
+#include "mesh/base/error.h"
+#include "planners/fitted/infill.h"
 #include "planners/wording.h"
 
 namespace swathplan {

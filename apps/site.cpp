@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "io/area_import.h"
-#include "mesh/error.h"
+#include "io/seafloor/area_import.h"
+#include "mesh/base/error.h"
 #include "mesh/survey_area.h"
 
 namespace swathplan {

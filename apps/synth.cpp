@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "io/write_seafloor.h"
-#include "mesh/error.h"
+#include "io/seafloor/write_seafloor.h"
+#include "mesh/base/error.h"
 #include "mesh/synthetic.h"
 
 namespace swathplan {

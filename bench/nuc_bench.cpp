@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "mesh/memory.h"
-#include "planners/nuc.h"
+#include "mesh/base/allocator.h"
+#include "planners/nuc/nuc.h"
 
 namespace {
 

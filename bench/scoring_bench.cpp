@@ -12,10 +12,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "coverage/fan_table_internal.h"
-#include "coverage/ray_scene_internal.h"
 #include "coverage/score.h"
-#include "mesh/memory.h"
+#include "coverage/tracing/fan_table.h"
+#include "coverage/tracing/ray_scene_internal.h"
+#include "mesh/base/allocator.h"
 #include "mesh/survey_area.h"
 #include "mesh/synthetic.h"
 

@@ -10,10 +10,10 @@
 #include <cstdlib>
 #include <vector>
 
-#include "mesh/memory.h"
+#include "mesh/base/allocator.h"
 #include "mesh/synthetic.h"
-#include "planners/nuc.h"
-#include "planners/skeleton_smoothing.h"
+#include "planners/nuc/nuc.h"
+#include "planners/nuc/skeleton_smoothing.h"
 
 namespace {
 

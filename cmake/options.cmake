@@ -15,17 +15,9 @@ if(SWATHPLAN_SANITIZE)
   target_link_options(swathplan_options INTERFACE -fsanitize=${SWATHPLAN_SANITIZE})
 endif()
 
-# Headers that are large and never change are parsed once for each target. ccache has to be told that it
-# may trust them.
-option(SWATHPLAN_PRECOMPILE "Precompile large foreign headers" ON)
-function(swathplan_precompile target)
-  if(NOT SWATHPLAN_PRECOMPILE)
-    return()
-  endif()
-  target_precompile_headers(${target} PRIVATE ${ARGN})
-  if(CCACHE_PROGRAM)
-    target_compile_options(${target} PRIVATE -fpch-preprocess)
-    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
-      "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros;${CCACHE_PROGRAM}")
-  endif()
+# A room is compiled as one unit: its headers, Eigen's and CGAL's among them, are parsed once. Off for
+# work on single files and for tools that read one file at a time.
+option(SWATHPLAN_UNITY "Compile the files of a room together" ON)
+function(swathplan_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SWATHPLAN_UNITY} UNITY_BUILD_BATCH_SIZE 0)
 endfunction()

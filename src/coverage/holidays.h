@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "coverage/coverage_grid.h"
+#include "coverage/tracing/coverage_grid.h"
 
 namespace swathplan {
 

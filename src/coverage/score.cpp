@@ -12,8 +12,8 @@
 #include <bit>
 #include <functional>
 
-#include "coverage/ping_tracer_internal.h"
-#include "mesh/error.h"
+#include "coverage/tracing/ping_tracer.h"
+#include "mesh/base/error.h"
 
 namespace swathplan {
 

@@ -3,12 +3,12 @@
 #include <functional>
 #include <optional>
 
-#include "coverage/coverage_grid.h"
 #include "coverage/holidays.h"
-#include "coverage/pings.h"
-#include "coverage/ray_scene.h"
-#include "coverage/route_figures.h"
-#include "coverage/sonar.h"
+#include "coverage/route/pings.h"
+#include "coverage/route/route_figures.h"
+#include "coverage/route/sonar.h"
+#include "coverage/tracing/coverage_grid.h"
+#include "coverage/tracing/ray_scene.h"
 
 namespace swathplan {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "mesh/require_internal.h"
+#include "mesh/base/require.h"
 
 namespace swathplan {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "coverage/ray_scene.h"
+#include "coverage/tracing/ray_scene.h"
 #include "mesh/seafloor.h"
 
 namespace swathplan {

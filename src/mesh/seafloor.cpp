@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/error.h"
+#include "mesh/base/error.h"
 
 namespace swathplan {
 namespace {
@@ -27,6 +27,17 @@ Box2 extent(const Seafloor& seafloor) {
   for (const Vec3& v : seafloor.vertices) box.extend(v.head<2>());
   return box;
 }
+
+double plan_area_m2(const Seafloor& s) {
+  double twice = 0.0;
+  for (const Seafloor::Face& f : s.faces) {
+    const Vec2 ab = (s.vertices[f[1]] - s.vertices[f[0]]).head<2>();
+    const Vec2 ac = (s.vertices[f[2]] - s.vertices[f[0]]).head<2>();
+    twice += std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+  }
+  return 0.5 * twice;
+}
+
 
 DepthRange depth_range(const Seafloor& seafloor) {
   DepthRange range{std::numeric_limits<double>::infinity(), 0.0,

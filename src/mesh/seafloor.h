@@ -6,8 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/angle.h"
-#include "mesh/frame.h"
+#include "mesh/base/angle.h"
+#include "mesh/base/frame.h"
+#include "mesh/plane/box.h"
 
 namespace swathplan {
 
@@ -21,19 +22,10 @@ struct Seafloor {
   Frame frame;
 };
 
-/// Axis-aligned extent in the horizontal plane, metres.
-struct Box2 {
-  Vec2 min = Vec2::Constant(1e300);
-  Vec2 max = Vec2::Constant(-1e300);
-  void extend(const Vec2& p) {
-    min = min.cwiseMin(p);
-    max = max.cwiseMax(p);
-  }
-  [[nodiscard]] bool empty() const { return min.x() > max.x(); }
-  [[nodiscard]] Vec2 size() const { return max - min; }
-};
-
 [[nodiscard]] Box2 extent(const Seafloor& seafloor);
+
+/// Area of all faces as seen from above, square metres; faces above each other count twice.
+[[nodiscard]] double plan_area_m2(const Seafloor& seafloor);
 
 /// Range and plan-area-weighted mean of the depths (metres, positive down).
 struct DepthRange {

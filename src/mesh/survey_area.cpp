@@ -4,7 +4,7 @@
 
 #include <unordered_map>
 
-#include "mesh/error.h"
+#include "mesh/base/error.h"
 #include "mesh/water_level.h"
 
 namespace swathplan {

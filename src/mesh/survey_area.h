@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "mesh/polygons.h"
+#include "mesh/plane/polygons.h"
 #include "mesh/seafloor.h"
 
 namespace swathplan {

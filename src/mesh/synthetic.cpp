@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "mesh/error.h"
+#include "mesh/base/error.h"
 
 namespace swathplan {
 namespace {

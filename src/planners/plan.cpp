@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/error.h"
-#include "mesh/quad_mesh.h"
+#include "mesh/base/error.h"
+#include "mesh/planar/quad_mesh.h"
 
 namespace swathplan {
 

@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "coverage/pings.h"
-#include "coverage/ray_scene.h"
-#include "coverage/route.h"
-#include "coverage/sonar.h"
-#include "coverage/vehicle.h"
-#include "mesh/depth_regions.h"
-#include "mesh/gates.h"
-#include "mesh/planar_mesh.h"
-#include "mesh/polygons.h"
+#include "coverage/route/pings.h"
+#include "coverage/route/route.h"
+#include "coverage/route/sonar.h"
+#include "coverage/route/vehicle.h"
+#include "coverage/tracing/ray_scene.h"
+#include "mesh/planar/depth_regions.h"
+#include "mesh/planar/gates.h"
+#include "mesh/planar/planar_mesh.h"
+#include "mesh/plane/polygons.h"
 #include "mesh/seafloor.h"
 #include "planners/pareto.h"
-#include "planners/smooth.h"
+#include "planners/smoothing/smooth.h"
 
 namespace swathplan {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "coverage/scenes.h"
-#include "mesh/error.h"
+#include "mesh/base/error.h"
 #include "mesh/synthetic.h"
 
 namespace swathplan {

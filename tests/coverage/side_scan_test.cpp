@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "coverage/dropped_objects.h"
-#include "mesh/error.h"
+#include "mesh/base/error.h"
 #include "mesh/synthetic.h"
 
 namespace swathplan {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/error.h"
+#include "mesh/base/error.h"
 
 namespace swathplan {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "coverage/score.h"
-#include "io/crs.h"
-#include "io/provenance.h"
+#include "io/files/crs.h"
+#include "io/results/provenance.h"
 #include "mesh/survey_area.h"
 
 namespace swathplan::test {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "coverage/route.h"
+#include "coverage/route/route.h"
 
 namespace swathplan::test {
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "mesh/error.h"
+#include "mesh/base/error.h"
 #include "mesh/synthetic.h"
 
 namespace swathplan {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "mesh/polygons.h"
+#include "mesh/plane/polygons.h"
 
 namespace swathplan::test {
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/pictures/scale_bar.h"
 #include "io/report/pictures_internal.h"
-#include "io/scale_bar_internal.h"
 
 namespace swathplan::internal {
 namespace {

@@ -1,5 +1,5 @@
 #include "io/report/display_path_internal.h"
-#include "mesh/path_thinning.h"
+#include "mesh/plane/path_thinning.h"
 
 namespace swathplan::internal {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "coverage/route.h"
+#include "coverage/route/route.h"
 
 namespace swathplan::internal {
 

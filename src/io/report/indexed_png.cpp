@@ -4,9 +4,9 @@
 
 #include <memory>
 
-#include "io/gdal_internal.h"
+#include "io/files/quiet_gdal.h"
 #include "io/report/pictures_internal.h"
-#include "mesh/error.h"
+#include "mesh/base/error.h"
 
 namespace swathplan::internal {
 namespace {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "coverage/coverage_grid.h"
-#include "io/coverage_summary_internal.h"
+#include "coverage/tracing/coverage_grid.h"
+#include "io/pictures/coverage_summary.h"
 #include "mesh/seafloor.h"
 
 namespace swathplan::internal {

@@ -3,12 +3,12 @@
 #include <functional>
 #include <map>
 
-#include "io/atomic_file.h"
-#include "io/provenance_internal.h"
+#include "io/files/atomic_file.h"
 #include "io/report/assets_internal.h"
 #include "io/report/report_data_internal.h"
 #include "io/report/verdict_internal.h"
-#include "mesh/error.h"
+#include "io/results/provenance_json.h"
+#include "mesh/base/error.h"
 
 namespace swathplan {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coverage/score.h"
-#include "io/provenance.h"
+#include "io/results/provenance.h"
 #include "planners/pareto.h"
 
 namespace swathplan {

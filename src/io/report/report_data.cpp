@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coverage/violations.h"
-#include "io/crs.h"
-#include "io/provenance_internal.h"
+#include "coverage/route/violations.h"
+#include "io/files/crs.h"
 #include "io/report/display_path_internal.h"
 #include "io/report/pictures_internal.h"
 #include "io/report/report_data_internal.h"
 #include "io/report/verdict_internal.h"
-#include "io/score_json_internal.h"
+#include "io/results/provenance_json.h"
+#include "io/results/score_figures.h"
 
 namespace swathplan::internal {
 namespace {

@@ -1,0 +1,269 @@
+#include "apps/adapt/adapt_accordion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "apps/adapt/adapt_live.h"
+#include "apps/adapt/adapt_planners.h"
+#include "mesh/base/error.h"
+#include "planners/adaptive/adaptive_worlds.h"
+
+namespace swathplan {
+namespace {
+
+// The costs of images are measured against their surroundings.
+constexpr double kImageThreshold = 1.0;
+// An image places an object by slant range on a flat bottom; slopes and heights move it.
+constexpr double kImageClearance = 3.0;
+
+// What is drawn in a picture besides tracks.
+constexpr const char* kDots = "red: objects";
+
+std::vector<std::pair<std::string, double>> figures_of(const AccordionState& state) {
+  const AccordionOptions& o = state.options;
+  const double lawnmower =
+      mission_length_m(overlapping_lawnmower(o.width_m, o.spacing_m), o.length_m);
+  return {{"tracks", static_cast<double>(state.sailed.size())},
+          {"length_m", state.sailed_m},
+          {"lawnmower_length_m", lawnmower},
+          {"improvement_pct", gain(state).whole_pct}};
+}
+
+void add_object_figures(MissionOutput& out, int objects, int seen_twice) {
+  out.figures.emplace_back("objects", objects);
+  out.figures.emplace_back("objects_seen_from_both_sides", seen_twice);
+}
+
+Provenance provenance(const AccordionCommand& c, const AccordionOptions& o,
+                      const std::string& mode) {
+  return adapt_provenance("adapt accordion " + mode, c.output.seed,
+                          {{"width_m", o.width_m},
+                           {"length_m", o.length_m},
+                           {"spacing_m", o.spacing_m},
+                           {"nadir_gap_m", o.nadir_gap_m},
+                           {"threshold", o.threshold},
+                           {"clearance_m", o.clearance_m},
+                           {"rule", c.rule},
+                           {"start_corner", c.box.start}});
+}
+
+void simulate_strips(const AccordionCommand& c) {
+  const AccordionOptions o = accordion_of(c, kWorldThreshold);
+  const SurveyBox box = box_of(c.box, o.width_m, o.length_m, {});
+  const StripWorld world = random_strips(o.width_m, o.spacing_m, c.p_obj, c.output.seed);
+  const AccordionMission mission = sail(world, o);
+  MissionOutput out = mission_output(box, mission.state.sailed, sonar_range_m(o),
+                                     flat_depth_m(sonar_range_m(o)), provenance(c, o, "simulate"));
+  out.planner = "accordion";
+  out.label = fmt::format("Accordion ({})", c.rule);
+  out.provenance.options.emplace_back("p_obj", c.p_obj);
+  out.figures = figures_of(mission.state);
+  add_object_figures(out, mission.objects, mission.objects_seen_twice);
+  TrackPicture picture{out.label, o.width_m, o.length_m, mission.state.sailed, {}, kDots, {}};
+  SeededNumbers numbers(mixed_seed(c.output.seed, 99));
+  for (const double x : world.objects_m) {
+    picture.objects.emplace_back(x, (0.1 + 0.8 * numbers.uniform()) * o.length_m);
+  }
+  TrackPicture lawnmower = picture;
+  lawnmower.title = "Overlapping lawnmower";
+  lawnmower.tracks = overlapping_lawnmower(o.width_m, o.spacing_m);
+  out.pictures = {picture, lawnmower};
+  write_flat_mission(c.output, out, box, sonar_range_m(o));
+}
+
+double mean_depth(const SurveyBox& box, const DepthQuery& depths) {
+  double sum = 0.0;
+  int count = 0;
+  for (int i = 0; i <= 20; ++i) {
+    for (int j = 0; j <= 20; ++j) {
+      const auto d = depths.depth(box_point(box, box.width_m * i / 20, box.length_m * j / 20));
+      if (!d) continue;
+      sum += *d;
+      ++count;
+    }
+  }
+  if (count == 0) throw InvalidInput("the box lies outside the seafloor; set --corner");
+  return sum / count;
+}
+
+void simulate_seafloor(const AccordionCommand& c) {
+  const AccordionOptions o = accordion_of(c, kImageThreshold, kImageClearance);
+  check(c.sonar);
+  auto site = load_site(c.site, Vehicle{});
+  const SurveyBox box = box_of(c.box, o.width_m, o.length_m, site->seafloor().frame);
+  const double depth = mean_depth(box, *site->depths);
+  const auto objects =
+      dropped_objects(box, c.objects, o.nadir_gap_m + 3.0, *site->depths, c.output.seed);
+  const RayScene scene(with_objects(site->seafloor(), objects), Nodata::open);
+  ScanWorld world{&scene, {}, c.sonar, c.cost, !c.no_gap_filler, box};
+  world.sonar.seed = c.output.seed;
+  world.depth_below = [&](const Vec2& p) {
+    return site->depths->depth(p).value_or(site->depths->nearest_depth(p));
+  };
+  std::filesystem::create_directories(c.output.folder);
+  const AccordionState state = sail(o, world, [&](const ScannedTrack& t) {
+    write_waterfall_png(c.output.folder / fmt::format("waterfall-{:03}.png", t.track.number),
+                        t.image);
+  });
+  int twice = 0;
+  for (const ObjectSights& s : sights(objects, state.sailed, o, world)) {
+    twice += s.from_below && s.from_above ? 1 : 0;
+  }
+  MissionOutput out =
+      mission_output(box, state.sailed, sonar_range_m(o), depth, provenance(c, o, "simulate"));
+  out.planner = "accordion";
+  out.label = fmt::format("Accordion ({})", c.rule);
+  out.provenance.input_file = c.site.file.string();
+  out.provenance.input_hash = site->imported.input_hash;
+  out.provenance.options.emplace_back("objects", static_cast<std::int64_t>(c.objects));
+  out.figures = figures_of(state);
+  add_object_figures(out, static_cast<int>(objects.size()), twice);
+  out.notes = {
+      fmt::format("the score takes a sonar at the surface with the same swath; the images "
+                  "were made {:g} m above the seafloor",
+                  c.sonar.altitude_m)};
+  TrackPicture picture{out.label, o.width_m, o.length_m, state.sailed, {}, kDots, {}};
+  const Vec2 origin = box_point(box, 0, 0);
+  for (const DroppedObject& object : objects) {
+    const Vec2 p = object.base.head<2>() - origin;
+    picture.objects.emplace_back(p.dot(box_point(box, 1, 0) - origin),
+                                 p.dot(box_point(box, 0, 1) - origin));
+  }
+  out.pictures = {picture};
+  site->survey_area = intersect(site->survey_area, box_area(box));
+  if (site->survey_area.empty()) throw InvalidInput("the box holds no water; set --corner");
+  write_mission(c.output, out, *site);
+}
+
+void simulate(const AccordionCommand& c) {
+  const auto limit = thread_limit(c.output);
+  c.site.file.empty() ? simulate_strips(c) : simulate_seafloor(c);
+}
+
+CostMap map_of(const nlohmann::json& side) {
+  CostMap map;
+  map.first_m = side.value("first_m", 0.0);
+  map.step_m = side.at("step_m").get<double>();
+  const auto& rows = side.at("rows");
+  if (!rows.is_array()) throw InvalidInput("'rows' must be an array of arrays of costs");
+  for (const auto& row : rows) {
+    const auto values = row.get<std::vector<float>>();
+    if (map.rows > 0 && static_cast<int>(values.size()) != map.columns) {
+      throw InvalidInput(fmt::format("row {} has {} costs, the first has {}", map.rows,
+                                     values.size(), map.columns));
+    }
+    map.columns = static_cast<int>(values.size());
+    map.values.insert(map.values.end(), values.begin(), values.end());
+    ++map.rows;
+  }
+  return map;
+}
+
+void live(const AccordionCommand& c) {
+  const AccordionOptions o = accordion_of(c, kWorldThreshold);
+  const SurveyBox box = box_of(c.box, o.width_m, o.length_m, {});
+  AccordionState state = start_accordion(o);
+  LivePlanner planner{"accordion", [&] { return next_track(state); }, {}, {}};
+  planner.observe = [&](const SurveyTrack& track, const nlohmann::json& message) {
+    const bool port_back = port_looks_back(box, track);
+    AccordionObservation observation;
+    if (message.contains("image")) {
+      CostMapOptions cost = c.cost;
+      cost.threshold = o.threshold;
+      observation = cost_maps(read_waterfall_png(message["image"].get<std::string>(), c.pixel_m,
+                                                 c.row_m, o.nadir_gap_m),
+                              port_back, cost);
+    } else {
+      observation = {map_of(message.at(port_back ? "port" : "starboard")),
+                     map_of(message.at(port_back ? "starboard" : "port"))};
+    }
+    state = observe(state, track, observation);
+  };
+  planner.figures = [&] {
+    return nlohmann::ordered_json{{"improvement_pct", gain(state).whole_pct}};
+  };
+  const auto sailed = run_live(std::cin, std::cout, box, {}, planner);
+  if (sailed.empty()) return;
+  MissionOutput out = mission_output(box, sailed, sonar_range_m(o), flat_depth_m(sonar_range_m(o)),
+                                     provenance(c, o, "live"));
+  out.planner = "accordion";
+  out.label = "Accordion (live)";
+  out.figures = figures_of(state);
+  out.pictures = {{out.label, o.width_m, o.length_m, sailed, {}, "", {}}};
+  write_live_mission(c.output, out, box, sonar_range_m(o));
+}
+
+void add_planner_options(CLI::App& command, AccordionCommand& c) {
+  command.add_option("--width", c.planner.width_m, "Of the area across the tracks, m")
+      ->capture_default_str();
+  command.add_option("--length", c.planner.length_m, "Of a track, m")->capture_default_str();
+  command.add_option("--spacing", c.planner.spacing_m, "Strip width W, m")->capture_default_str();
+  command.add_option("--nadir-gap", c.planner.nadir_gap_m, "Half-width of the blind strip, m");
+  command.add_option("--threshold", c.threshold,
+                     "Cost from which something is an object (default: 0.5; images 1)");
+  command.add_option("--clearance", c.clearance_m,
+                     "Uncertainty of an object's place, m (bounded rule; default: 0; images 3)");
+  command.add_option("--rule", c.rule, "basic or bounded")->capture_default_str();
+  add_box_options(command, c.box);
+  add_adapt_output(command, c.output);
+}
+
+void add_sonar_options(CLI::App& command, AccordionCommand& c) {
+  command.add_option("--objects", c.objects, "Objects dropped on FILE")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
+  command.add_option("--altitude", c.sonar.altitude_m, "Of the sonar above FILE, m")
+      ->capture_default_str();
+  command.add_option("--pixel", c.sonar.pixel_m, "Image pixel across, m")->capture_default_str();
+  command.add_option("--ping-spacing", c.sonar.ping_spacing_m, "Along the track, m")
+      ->capture_default_str();
+  command.add_option("--looks", c.sonar.looks, "Of the speckle; 0: none")->capture_default_str();
+  command.add_flag("--no-gap-filler", c.no_gap_filler, "No multibeam sonar over the nadir gap");
+}
+
+}  // namespace
+
+AccordionRule accordion_rule(const std::string& name) {
+  if (name == "basic") return AccordionRule::basic;
+  if (name == "bounded") return AccordionRule::bounded;
+  throw UsageError(fmt::format("--rule {}; must be basic or bounded", name));
+}
+
+AccordionOptions accordion_of(const AccordionCommand& c, double default_threshold,
+                              double default_clearance) {
+  AccordionOptions options = c.planner;
+  options.rule = accordion_rule(c.rule);
+  options.threshold = c.threshold.value_or(default_threshold);
+  options.clearance_m = c.clearance_m.value_or(default_clearance);
+  check(options);
+  return options;
+}
+
+void add_adapt_accordion(CLI::App& adapt) {
+  auto* accordion = adapt.add_subcommand(
+      "accordion", "Lawnmower that folds where the sonar meets objects of interest");
+  accordion->require_subcommand(1);
+  auto c = std::make_shared<AccordionCommand>();
+  auto* sub = accordion->add_subcommand(
+      "simulate", "One mission: over FILE with ray-cast images, without it over abstract strips");
+  add_site_options(*sub, c->site);
+  sub->get_option("FILE")->required(false);
+  add_planner_options(*sub, *c);
+  add_sonar_options(*sub, *c);
+  sub->add_option("--p-obj", c->p_obj, "Share of strips with an object, without FILE")
+      ->capture_default_str();
+  sub->callback([c] { simulate(*c); });
+  sub = accordion->add_subcommand("study", "Monte Carlo over alpha and p_obj, as published");
+  add_planner_options(*sub, *c);
+  add_missions_option(*sub, c->missions, "Per alpha and p_obj");
+  sub->callback([c] { study_accordion(*c); });
+  sub = accordion->add_subcommand("live", "JSON lines: observations in, tracks out");
+  add_planner_options(*sub, *c);
+  sub->add_option("--pixel", c->pixel_m, "Pixel of images across, m")->capture_default_str();
+  sub->add_option("--row", c->row_m, "Row of images along, m")->capture_default_str();
+  sub->callback([c] { live(*c); });
+}
+
+}  // namespace swathplan

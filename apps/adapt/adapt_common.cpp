@@ -1,0 +1,187 @@
+#include "apps/adapt/adapt_common.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "apps/outputs.h"
+#include "apps/planning.h"
+#include "io/files/atomic_file.h"
+#include "mesh/base/error.h"
+#include "mesh/survey_area.h"
+#include "mesh/synthetic.h"
+
+namespace swathplan {
+namespace {
+
+// A route of many kilometres is scored on no more cells than this: the report is drawn from them.
+constexpr double kCells = 250000.0;
+
+SurveyOptions scoring_options(const AdaptOutput& output, const Site& site) {
+  SurveyOptions options;
+  options.resolution_m = std::max(1.0, std::ceil(std::sqrt(area_m2(site.survey_area) / kCells)));
+  options.ping_spacing_m = options.resolution_m;
+  options.sonar = "norbit-iwbms";
+  options.max_opening_deg = 178.0;
+  options.beam_spacing = "equidistant";
+  options.vehicle = "auv";
+  options.nodata = "open";
+  options.holiday_m2 = 10.0 * options.resolution_m * options.resolution_m;
+  options.hit_only = true;
+  options.seed = output.seed;
+  options.threads = output.threads;
+  return options;
+}
+
+// Half-angles that sweep `range_m` to each side at `depth_m` below the sonar.
+FanAngles side_fan(double range_m, double depth_m) {
+  constexpr double kWidest = 88.0;  // beams nearer the horizon meet no seafloor
+  const double half = std::min(std::atan2(range_m, depth_m) * 180.0 / std::numbers::pi, kWidest);
+  return {Angle::degrees(half), Angle::degrees(half)};
+}
+
+std::unique_ptr<Site> flat_site(const SurveyBox& box, double margin_m, double depth_m) {
+  const Box2 around = extent(box_area(box));
+  auto site = std::make_unique<Site>();
+  const Vec2 size = around.size() + Vec2::Constant(2.0 * margin_m);
+  site->imported.seafloor = flat(size.x(), size.y(), depth_m);
+  for (Vec3& v : site->imported.seafloor.vertices) {
+    v.head<2>() += around.min - Vec2::Constant(margin_m);
+  }
+  site->depths = std::make_unique<DepthQuery>(site->seafloor());
+  site->water = outline(site->seafloor());
+  site->survey_area = box_area(box);
+  return site;
+}
+
+}  // namespace
+
+void add_adapt_output(CLI::App& command, AdaptOutput& output) {
+  command.add_option("-o,--output", output.folder, "Output folder")->capture_default_str();
+  command.add_flag("--json", output.json, "Print the figures as JSON");
+  command.add_flag("--quiet", output.quiet, "Print nothing");
+  command.add_option("--seed", output.seed, "Seed of the world")->capture_default_str();
+  command
+      .add_option("--threads", output.threads, "Threads; 0: all cores (no result depends on it)")
+      ->check(CLI::NonNegativeNumber);
+}
+
+void add_box_options(CLI::App& command, BoxOptions& options) {
+  command.add_option("--start-corner", options.start, "sw, se, nw or ne (along the tracks is 'n')")
+      ->capture_default_str();
+  command.add_option("--azimuth", options.azimuth_deg, "Of the tracks, degrees from north");
+  command.add_option("--corner", options.corner, "South-west corner of the box, x,y of the file")
+      ->delimiter(',')
+      ->expected(2);
+}
+
+SurveyBox box_of(const BoxOptions& options, double width_m, double length_m, const Frame& frame) {
+  const auto start = start_corner(options.start);
+  if (!start) {
+    throw UsageError(fmt::format("--start-corner {}; must be sw, se, nw or ne", options.start));
+  }
+  if (!std::isfinite(options.azimuth_deg)) {
+    throw UsageError("--azimuth; must be a finite number of degrees");
+  }
+  SurveyBox box{Vec2::Zero(), Angle::degrees(options.azimuth_deg), width_m, length_m, *start};
+  if (options.corner.size() == 2) {
+    box.corner = frame.to_local(Vec2(options.corner[0], options.corner[1]));
+  }
+  return box;
+}
+
+Area box_area(const SurveyBox& box) {
+  Ring ring{box_point(box, 0, 0), box_point(box, box.width_m, 0),
+            box_point(box, box.width_m, box.length_m), box_point(box, 0, box.length_m)};
+  if (signed_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+  return {{std::move(ring), {}}};
+}
+
+tbb::global_control thread_limit(const AdaptOutput& output) {
+  constexpr std::size_t kAll = 1024;
+  return {tbb::global_control::max_allowed_parallelism,
+          output.threads > 0 ? static_cast<std::size_t>(output.threads) : kAll};
+}
+
+void add_missions_option(CLI::App& command, int& missions, const std::string& what) {
+  command.add_option("--missions", missions, what)
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+}
+
+Provenance adapt_provenance(const std::string& command, std::uint64_t seed,
+                            std::vector<std::pair<std::string, OptionValue>> options) {
+  Provenance provenance;
+  provenance.version = SWATHPLAN_VERSION;
+  provenance.command = command;
+  provenance.seed = seed;
+  provenance.options = std::move(options);
+  return provenance;
+}
+
+MissionOutput mission_output(const SurveyBox& box, std::span<const SurveyTrack> tracks,
+                             double range_m, double depth_m, Provenance provenance) {
+  constexpr double kSpeed = 1.5;  // metres per second
+  MissionOutput out;
+  out.route = mission_route(box, tracks, {side_fan(range_m, depth_m), kSpeed});
+  out.provenance = std::move(provenance);
+  return out;
+}
+
+void write_mission(const AdaptOutput& output, const MissionOutput& mission, const Site& site) {
+  const SurveyOptions options = scoring_options(output, site);
+  std::filesystem::create_directories(output.folder);
+  nlohmann::ordered_json json;
+  json["planner"] = mission.planner;
+  for (const auto& [name, value] : mission.figures) json[name] = value;
+  json["notes"] = mission.notes;
+  json["seed"] = mission.provenance.seed;
+  json["version"] = mission.provenance.version;
+  write_text_atomically(output.folder / "mission.json", json.dump(2) + "\n");
+  write_tracks_png(output.folder / "tracks.png", mission.pictures);
+  const Scorer scorer(site, options, output.quiet);
+  Plan plan;
+  plan.route = mission.route;
+  plan.notes = mission.notes;
+  ScoredRoute scored = scorer.score(mission.label, plan.route);
+  std::vector<PlannedSurvey> surveys;
+  surveys.push_back({mission.planner, mission.label, std::move(plan), std::move(scored), 0.0, 0.0});
+  write_survey(output.folder, surveys[0], site, options, mission.provenance);
+  write_survey_report(output.folder / "report.html", mission.label, surveys, site, options,
+                      mission.provenance);
+  if (output.json) {
+    fmt::print("{}\n", json.dump(2));
+  } else if (!output.quiet) {
+    for (const auto& [name, value] : mission.figures) fmt::print("{:<32} {:g}\n", name, value);
+    for (const std::string& note : mission.notes) fmt::print(stderr, "note: {}\n", note);
+    fmt::print("report: {}\n", (output.folder / "report.html").string());
+  }
+}
+
+void write_flat_mission(const AdaptOutput& output, const MissionOutput& mission,
+                        const SurveyBox& box, double range_m) {
+  // Tracks may lie outside the box by up to a range, and look as far again.
+  write_mission(output, mission, *flat_site(box, 2.0 * range_m, flat_depth_m(range_m)));
+}
+
+void write_live_mission(const AdaptOutput& output, const MissionOutput& mission,
+                        const SurveyBox& box, double range_m) {
+  AdaptOutput silent = output;
+  silent.quiet = true;
+  silent.json = false;
+  write_flat_mission(silent, mission, box, range_m);
+}
+
+std::function<void(double)> study_progress(const std::string& label, bool quiet) {
+  if (quiet || isatty(STDERR_FILENO) == 0) return {};
+  return [label](double share) {
+    fmt::print(stderr, "\r\x1b[K{} {:3.0f} %{}", label, 100.0 * share, share < 1.0 ? "" : "\n");
+    std::fflush(stderr);
+  };
+}
+
+}  // namespace swathplan

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/options.h"
+#include "apps/site.h"
+#include "io/pictures/adaptive_pictures.h"
+#include "planners/adaptive/survey_track.h"
+
+namespace swathplan {
+
+/// Where results go, and what they must not depend on.
+struct AdaptOutput {
+  std::filesystem::path folder = "out";
+  bool json = false, quiet = false;
+  std::uint64_t seed = 1;
+  int threads = 0;
+};
+void add_adapt_output(CLI::App& command, AdaptOutput& output);
+
+/// Where the box lies.
+struct BoxOptions {
+  std::string start = "sw";
+  double azimuth_deg = 0.0;
+  std::vector<double> corner;  ///< x, y in file coordinates; empty: the local origin
+};
+void add_box_options(CLI::App& command, BoxOptions& options);
+[[nodiscard]] SurveyBox box_of(const BoxOptions& options, double width_m, double length_m,
+                               const Frame& frame);
+
+/// Keeps all work to the threads that were asked for, as long as it lives; 0: all cores.
+[[nodiscard]] tbb::global_control thread_limit(const AdaptOutput& output);
+
+/// The survey area of the box.
+[[nodiscard]] Area box_area(const SurveyBox& box);
+
+/// A finished mission and what is to be said of it.
+struct MissionOutput {
+  std::string planner, label;
+  Route route;
+  std::vector<TrackPicture> pictures;
+  std::vector<std::pair<std::string, double>> figures;  ///< names carry their units
+  std::vector<std::string> notes;
+  Provenance provenance;
+};
+/// A mission with a sonar that sweeps `range_m` to each side from `depth_m` above the bottom;
+/// figures, pictures and notes are left to fill in.
+[[nodiscard]] MissionOutput mission_output(const SurveyBox& box,
+                                           std::span<const SurveyTrack> tracks, double range_m,
+                                           double depth_m, Provenance provenance);
+
+/// Writes route.csv, route.geojson, score.json, mission.json, tracks.png, report.html and the rest
+/// that every survey gets into the folder, and prints the figures.
+void write_mission(const AdaptOutput& output, const MissionOutput& mission, const Site& site);
+
+/// Missions in abstract worlds are scored and reported like any other, over a flat bottom around
+/// the box, a quarter of the sonar's range deep.
+[[nodiscard]] inline double flat_depth_m(double range_m) { return 0.25 * range_m; }
+void write_flat_mission(const AdaptOutput& output, const MissionOutput& mission,
+                        const SurveyBox& box, double range_m);
+/// The same, without a word on stdout, which belongs to the protocol.
+void write_live_mission(const AdaptOutput& output, const MissionOutput& mission,
+                        const SurveyBox& box, double range_m);
+
+/// What made an adaptive mission.
+[[nodiscard]] Provenance adapt_provenance(const std::string& command, std::uint64_t seed,
+                                          std::vector<std::pair<std::string, OptionValue>> options);
+
+/// --missions of a study.
+void add_missions_option(CLI::App& command, int& missions, const std::string& what);
+
+/// Progress of a study on stderr, where that is a terminal.
+[[nodiscard]] std::function<void(double)> study_progress(const std::string& label, bool quiet);
+
+}  // namespace swathplan

@@ -1,0 +1,264 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+
+#include "apps/adapt/adapt_common.h"
+#include "apps/adapt/adapt_live.h"
+#include "apps/adapt/adapt_planners.h"
+#include "io/results/adaptive_study.h"
+#include "mesh/base/error.h"
+#include "planners/adaptive/adaptive_worlds.h"
+#include "planners/adaptive/quality_baselines.h"
+
+namespace swathplan {
+namespace {
+
+struct QualityCommand {
+  BoxOptions box;
+  AdaptOutput output;
+  QualitySurveyOptions planner;
+  std::string constraint = "strong";
+  double port_m = 70.0, starboard_m = 70.0;
+  double failing = 0.1;
+  int missions = 20;
+};
+
+constexpr std::array<GapConstraint, 3> kConstraints{GapConstraint::none, GapConstraint::mild,
+                                                    GapConstraint::strong};
+
+QualitySurveyOptions planner_of(const QualityCommand& c, const SurveyBox& box) {
+  QualitySurveyOptions options = c.planner;
+  const auto constraint = gap_constraint(c.constraint);
+  if (!constraint) {
+    throw UsageError(fmt::format("--constraint {}; must be none, mild or strong", c.constraint));
+  }
+  options.constraint = *constraint;
+  options.port_looks_back = port_looks_back(box, {0, 0.0, true});
+  check(options);
+  return options;
+}
+
+Provenance provenance(const QualityCommand& c, const QualitySurveyOptions& o,
+                      const std::string& mode) {
+  return adapt_provenance("adapt quality " + mode, c.output.seed,
+                          {{"width_m", o.width_m},
+                           {"length_m", o.length_m},
+                           {"swath_m", o.swath_m},
+                           {"range_min_m", o.range_min_m},
+                           {"range_max_m", o.range_max_m},
+                           {"quality", o.quality},
+                           {"cost_weight", o.cost_weight},
+                           {"turn_width_m", o.turn_width_m},
+                           {"constraint", c.constraint},
+                           {"start_corner", c.box.start}});
+}
+
+TrackPicture picture_of(const std::string& title, const QualitySurveyOptions& o,
+                        const std::vector<SurveyTrack>& tracks, const std::vector<char>& covered) {
+  TrackPicture picture{title, o.width_m, o.length_m, tracks, {}, "", {}};
+  const bool gaps = std::find(covered.begin(), covered.end(), 0) != covered.end();
+  picture.shade_label = gaps ? "dark: not covered" : "all covered";
+  for (const char c : covered) picture.shade.push_back(c ? 0.0 : 0.6);
+  return picture;
+}
+
+void simulate(const QualityCommand& c) {
+  const SurveyBox box = box_of(c.box, c.planner.width_m, c.planner.length_m, {});
+  const QualitySurveyOptions o = planner_of(c, box);
+  const TrueQuality truth = true_quality(o, c.port_m, c.starboard_m);
+  const QualitySurveyState state = sail(o, truth);
+  const QualitySurveyState preplanned = sail_preplanned(o, truth);
+  const auto optimum = fewest_tracks(o, truth);
+  MissionOutput out = mission_output(box, state.sailed, o.range_max_m, flat_depth_m(o.range_max_m),
+                                     provenance(c, o, "simulate"));
+  out.planner = "quality";
+  out.label = fmt::format("Quality survey ({} constraint)", c.constraint);
+  out.provenance.options.emplace_back("true_port_range_m", c.port_m);
+  out.provenance.options.emplace_back("true_starboard_range_m", c.starboard_m);
+  out.figures = {{"tracks", static_cast<double>(state.sailed.size())},
+                 {"covered_pct", 100.0 * covered_share(state)},
+                 {"travel_m", travel_m(state.sailed, o.length_m)},
+                 {"optimal_tracks", static_cast<double>(optimum.size())},
+                 {"preplanned_tracks", static_cast<double>(preplanned.sailed.size())},
+                 {"preplanned_covered_pct", 100.0 * covered_share(preplanned)}};
+  if (optimum.empty()) out.notes.push_back("no set of tracks covers the area with this sonar");
+  out.pictures = {picture_of("Pre-planned pairs", o, preplanned.sailed, preplanned.covered)};
+  for (const GapConstraint constraint : kConstraints) {
+    QualitySurveyOptions variant = o;
+    variant.constraint = constraint;
+    const auto s = sail(variant, truth);
+    out.pictures.push_back(picture_of(
+        fmt::format("{} constraint: {} tracks",
+                    constraint == GapConstraint::none ? "no" : name(constraint), s.sailed.size()),
+        o, s.sailed, s.covered));
+  }
+  write_flat_mission(c.output, out, box, o.range_max_m);
+}
+
+// A track on which a bin fails at random; what is good at all follows the true ranges.
+QualityObservation noisy(const TrueQuality& truth, double failing, SeededNumbers& numbers) {
+  QualityObservation observation = observe_world(truth);
+  for (auto* side : {&observation.port, &observation.starboard}) {
+    for (double& v : *side) {
+      if (numbers.uniform() < failing) v = 0.0;
+    }
+  }
+  return observation;
+}
+
+std::vector<double> study_cell(const QualityCommand& c, const QualitySurveyOptions& base,
+                               std::size_t cell) {
+  const int steps = range_bins(base);
+  const bool dead = cell >= static_cast<std::size_t>(steps);
+  const double range =
+      base.range_min_m +
+      base.swath_m * static_cast<double>(cell % static_cast<std::size_t>(steps) + 1);
+  const TrueQuality truth = true_quality(base, range, dead ? 0.0 : range);
+  std::vector<double> row{range, dead ? 0.0 : range,
+                          static_cast<double>(fewest_tracks(base, truth).size()),
+                          100.0 * covered_share(sail_preplanned(base, truth))};
+  for (const GapConstraint constraint : kConstraints) {
+    QualitySurveyOptions o = base;
+    o.constraint = constraint;
+    const auto sure = sail(o, truth);
+    double tracks = 0.0;
+    for (int i = 0; i < c.missions; ++i) {
+      SeededNumbers numbers(mixed_seed(c.output.seed, cell, static_cast<std::uint64_t>(i)));
+      QualitySurveyState state = start_survey(o);
+      while (const auto track = next_track(state)) {
+        state = observe(std::move(state), *track, noisy(truth, c.failing, numbers));
+      }
+      tracks += static_cast<double>(state.sailed.size()) / c.missions;
+    }
+    row.insert(row.end(), {static_cast<double>(sure.sailed.size()),
+                           travel_m(sure.sailed, o.length_m), 100.0 * covered_share(sure), tracks});
+  }
+  return row;
+}
+
+// What the optimum needs is a wide curve; what a variant needs beyond it tells them apart.
+Chart study_chart(const std::vector<std::vector<double>>& rows, std::size_t bins) {
+  Chart chart{"Quality survey: tracks beyond the exact optimum, both sides alike",
+              "true range of good data, m",
+              "",
+              {}};
+  const std::array<std::pair<const char*, std::size_t>, 3> curves{
+      {{"no constraint", 4}, {"mild", 8}, {"strong", 12}}};
+  for (const auto& [label, column] : curves) {
+    ChartCurve curve{label, {}, {}, false};
+    for (std::size_t i = 0; i < bins; ++i) {
+      if (rows[i][2] == 0.0) continue;
+      curve.x.push_back(rows[i][0]);
+      curve.y.push_back(rows[i][column] - rows[i][2]);
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+void study(const QualityCommand& c) {
+  const QualitySurveyOptions o = planner_of(c, SurveyBox{});
+  const auto limit = thread_limit(c.output);
+  const auto bins = static_cast<std::size_t>(range_bins(o));
+  Study s{"quality",
+          fmt::format("seed {} missions {} failing {} width_m {} length_m {} swath_m {} range_m {} "
+                      "to {} cost_weight {} turn_width_m {}",
+                      c.output.seed, c.missions, c.failing, o.width_m, o.length_m, o.swath_m,
+                      o.range_min_m, o.range_max_m, o.cost_weight, o.turn_width_m),
+          {"port_range_m", "starboard_range_m", "optimal_tracks", "preplanned_covered_pct"},
+          2 * bins,
+          [&](std::size_t cell) { return study_cell(c, o, cell); }};
+  for (const GapConstraint constraint : kConstraints) {
+    const std::string n(name(constraint));
+    s.columns.insert(s.columns.end(),
+                     {n + "_tracks", n + "_travel_m", n + "_covered_pct", n + "_noisy_tracks"});
+  }
+  const auto rows = run_study(s, c.output.folder, study_progress("quality", c.output.quiet));
+  write_chart_png(c.output.folder / "quality.png", study_chart(rows, bins));
+  if (c.output.quiet) return;
+  fmt::print(
+      "port starboard optimum preplanned % |  tracks none mild strong | travel km none mild "
+      "strong | noisy tracks none mild strong\n");
+  for (const auto& r : rows) {
+    fmt::print(
+        "{:4g} {:9g} {:7g} {:12.1f} | {:12g} {:4g} {:6g} | {:14.1f} {:5.1f} {:6.1f} | {:17.1f} "
+        "{:4.1f} {:6.1f}\n",
+        r[0], r[1], r[2], r[3], r[4], r[8], r[12], r[5] / 1e3, r[9] / 1e3, r[13] / 1e3, r[7], r[11],
+        r[15]);
+  }
+}
+
+void live(const QualityCommand& c) {
+  const SurveyBox box = box_of(c.box, c.planner.width_m, c.planner.length_m, {});
+  const QualitySurveyOptions o = planner_of(c, box);
+  QualitySurveyState state = start_survey(o);
+  LivePlanner planner{"quality", [&] { return next_track(state); }, {}, {}};
+  planner.observe = [&](const SurveyTrack& track, const nlohmann::json& message) {
+    state = observe(state, track,
+                    {message.at("port").get<std::vector<double>>(),
+                     message.at("starboard").get<std::vector<double>>()});
+  };
+  planner.figures = [&] {
+    return nlohmann::ordered_json{{"covered_pct", 100.0 * covered_share(state)}};
+  };
+  const auto sailed = run_live(std::cin, std::cout, box, {}, planner);
+  if (sailed.empty()) return;
+  MissionOutput out = mission_output(box, sailed, o.range_max_m, flat_depth_m(o.range_max_m),
+                                     provenance(c, o, "live"));
+  out.planner = "quality";
+  out.label = "Quality survey (live)";
+  out.figures = {{"tracks", static_cast<double>(sailed.size())},
+                 {"covered_pct", 100.0 * covered_share(state)}};
+  out.pictures = {picture_of(out.label, o, sailed, state.covered)};
+  write_live_mission(c.output, out, box, o.range_max_m);
+}
+
+void add_planner_options(CLI::App& command, QualityCommand& c) {
+  command.add_option("--width", c.planner.width_m, "Of the area across the tracks, m")
+      ->capture_default_str();
+  command.add_option("--length", c.planner.length_m, "Of a track, m")->capture_default_str();
+  command.add_option("--swath", c.planner.swath_m, "Width of a swath, m")->capture_default_str();
+  command.add_option("--range-min", c.planner.range_min_m, "Nominal, m")->capture_default_str();
+  command.add_option("--range-max", c.planner.range_max_m, "Nominal, m")->capture_default_str();
+  command.add_option("--quality", c.planner.quality, "Correlation from which data is good");
+  command.add_option("--cost-weight", c.planner.cost_weight, "Of transit against swaths gained")
+      ->capture_default_str();
+  command.add_option("--turn-width", c.planner.turn_width_m, "Twice the turning radius, m")
+      ->capture_default_str();
+  command.add_option("--constraint", c.constraint, "none, mild or strong")->capture_default_str();
+  add_box_options(command, c.box);
+  add_adapt_output(command, c.output);
+}
+
+}  // namespace
+
+void add_adapt_quality(CLI::App& adapt) {
+  auto* quality = adapt.add_subcommand(
+      "quality", "Tracks chosen one by one from where the sonar has given good data");
+  quality->require_subcommand(1);
+  auto c = std::make_shared<QualityCommand>();
+  auto* sub = quality->add_subcommand("simulate", "One mission with fixed true ranges");
+  add_planner_options(*sub, *c);
+  sub->add_option("--true-port", c->port_m, "True range of the port side, m; 0: dead")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  sub->add_option("--true-starboard", c->starboard_m, "Of the starboard side, m; 0: dead")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  sub->callback([c] { simulate(*c); });
+  sub = quality->add_subcommand("study", "All true ranges, both sides and port alone");
+  add_planner_options(*sub, *c);
+  add_missions_option(*sub, c->missions, "With random failures, per cell");
+  sub->add_option("--failing", c->failing, "Share of range bins that fail by chance")
+      ->check(CLI::Range(0.0, 0.9))
+      ->capture_default_str();
+  sub->callback([c] { study(*c); });
+  sub = quality->add_subcommand("live", "JSON lines: observations in, tracks out");
+  add_planner_options(*sub, *c);
+  sub->callback([c] { live(*c); });
+}
+
+}  // namespace swathplan

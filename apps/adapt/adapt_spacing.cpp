@@ -1,0 +1,338 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <numeric>
+#include <sstream>
+
+#include "apps/adapt/adapt_common.h"
+#include "apps/adapt/adapt_live.h"
+#include "apps/adapt/adapt_planners.h"
+#include "io/files/atomic_file.h"
+#include "io/results/adaptive_study.h"
+#include "mesh/base/error.h"
+#include "planners/adaptive/adaptive_worlds.h"
+#include "planners/adaptive/spacing_missions.h"
+
+namespace swathplan {
+namespace {
+
+struct SpacingCommand {
+  BoxOptions box;
+  AdaptOutput output;
+  TrackSpacingOptions planner;
+  SpacingWorld world;
+  std::filesystem::path curve;
+  bool control = false, as_published = false;
+  double border_m = 20.0;
+  int components = 2;
+  int missions = 20;
+};
+
+// 'range,p' a line, '#' starts a comment; a first line that starts with a letter is a heading.
+DetectionCurve read_curve(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  if (!in) throw InvalidInput(fmt::format("{} cannot be opened", path.string()));
+  DetectionCurve curve;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
+    if (number == 1 && std::isalpha(static_cast<unsigned char>(line[0])) != 0) continue;
+    std::istringstream fields(line);
+    double range = 0.0;
+    double p = 0.0;
+    char comma = 0;
+    std::string rest;
+    if (!(fields >> range >> comma >> p) || comma != ',' || (fields >> rest)) {
+      throw InvalidInput(fmt::format("{} line {}: '{}' is not 'range_m,p'", path.string(), number,
+                                     line.substr(0, 60)));
+    }
+    curve.range_m.push_back(range);
+    curve.p.push_back(p);
+  }
+  if (curve.p.empty()) {
+    throw InvalidInput(
+        fmt::format("{} holds no P(y) curve; give a line 'range_m,p' per point", path.string()));
+  }
+  check(curve, path.string());
+  return curve;
+}
+
+TrackSpacingOptions planner_of(const SpacingCommand& c) {
+  TrackSpacingOptions options = c.planner;
+  options.adapt = !c.control;
+  options.careful = !c.as_published;
+  check(options);
+  return options;
+}
+
+SpacingWorld world_of(const SpacingCommand& c) {
+  SpacingWorld world = c.world;
+  world.seed = c.output.seed;
+  if (!c.curve.empty()) world.truth = read_curve(c.curve);
+  return world;
+}
+
+std::vector<double> profile(const ResidualRiskMap& map) {
+  std::vector<double> mean(static_cast<std::size_t>(map.columns), 0.0);
+  for (std::size_t i = 0; i < map.risk.size(); ++i) {
+    mean[i % mean.size()] += map.risk[i] / map.rows;
+  }
+  return mean;
+}
+
+struct RiskFigures {
+  double mean = 0.0;
+  std::vector<MixtureComponent> mixture;
+};
+RiskFigures risk_figures(const ResidualRiskMap& map, double border_m, int components) {
+  const auto values = looked_at(without_border(map, border_m));
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return {values.empty() ? 1.0 : sum / static_cast<double>(values.size()),
+          fitted_mixture(values, components)};
+}
+
+Provenance provenance(const SpacingCommand& c, const TrackSpacingOptions& o,
+                      const std::string& mode) {
+  return adapt_provenance("adapt spacing " + mode, c.output.seed,
+                          {{"width_m", o.width_m},
+                           {"length_m", o.length_m},
+                           {"range_m", o.range_m},
+                           {"nadir_m", o.nadir_m},
+                           {"threshold", o.threshold},
+                           {"adapt", o.adapt},
+                           {"careful", o.careful},
+                           {"start_corner", c.box.start}});
+}
+
+TrackPicture picture_of(const std::string& title, const TrackSpacingOptions& o,
+                        const std::vector<SurveyTrack>& tracks) {
+  return {title, o.width_m, o.length_m, tracks, {}, "", {}};
+}
+
+void simulate(const SpacingCommand& c) {
+  const TrackSpacingOptions o = planner_of(c);
+  const SurveyBox box = box_of(c.box, o.width_m, o.length_m, {});
+  const SpacingMission mission = sail(o, world_of(c));
+  TrackSpacingOptions control = o;
+  control.adapt = false;
+  const SpacingMission reference = sail(control, world_of(c));
+  const RiskFigures risk = risk_figures(mission.risk, c.border_m, c.components);
+  MissionOutput out = mission_output(box, mission.state.sailed, o.range_m, flat_depth_m(o.range_m),
+                                     provenance(c, o, "simulate"));
+  out.planner = "spacing";
+  out.label = o.adapt ? "Track spacing (adaptive)" : "Track spacing (control)";
+  out.figures = {{"tracks", static_cast<double>(mission.state.sailed.size())},
+                 {"length_m", length_m(out.route)},
+                 {"first_range_m", mission.state.ranges_m.front()},
+                 {"last_range_m", mission.state.ranges_m.back()},
+                 {"good_range_m", mission.state.good_range_m},
+                 {"uncovered_pct", 100.0 * uncovered_share(mission.risk)},
+                 {"uncovered_inside_border_pct",
+                  100.0 * uncovered_share(without_border(mission.risk, c.border_m))},
+                 {"mean_risk", risk.mean},
+                 {"worst_component_mean_risk", risk.mixture.back().mean},
+                 {"worst_component_sigma", risk.mixture.back().sigma},
+                 {"worst_component_share", risk.mixture.back().share}};
+  if (mission.state.range_too_short) {
+    out.notes.push_back(
+        fmt::format("data was good to less than 3 r_n = {:g} m: paired tracks "
+                    "cannot close their nadir gaps and gaps are left",
+                    3.0 * o.nadir_m));
+  }
+  TrackPicture first = picture_of("Control: fixed spacing", o, reference.state.sailed);
+  first.shade = profile(reference.risk);
+  first.shade_label = "dark: high residual risk";
+  TrackPicture second = picture_of(out.label, o, mission.state.sailed);
+  second.shade = profile(mission.risk);
+  second.shade_label = first.shade_label;
+  out.pictures = {first, second};
+  std::filesystem::create_directories(c.output.folder);
+  const auto counts = histogram(looked_at(mission.risk), 50);
+  const auto control_counts = histogram(looked_at(reference.risk), 50);
+  Chart chart{"Residual risk of the cells that were looked at", "residual risk", "cells", {}};
+  ChartCurve adaptive{o.adapt ? "adaptive" : "this mission", {}, {}, false};
+  ChartCurve fixed{"control", {}, {}, true};
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    adaptive.x.push_back((static_cast<double>(i) + 0.5) / 50.0);
+    adaptive.y.push_back(counts[i]);
+    fixed.x.push_back(adaptive.x.back());
+    fixed.y.push_back(control_counts[i]);
+  }
+  chart.curves = {adaptive, fixed};
+  write_chart_png(c.output.folder / "risk-histogram.png", chart);
+  write_flat_mission(c.output, out, box, o.range_m);
+}
+
+constexpr std::array<double, 4> kTrueRanges{120.0, 130.0, 140.0, 150.0};
+
+// The example curve stretched beyond its peak so that it reaches the threshold at `range`.
+DetectionCurve curve_to(double range) {
+  DetectionCurve curve = example_curve();
+  for (double& y : curve.range_m) {
+    if (y > 70.0) y = 70.0 + (y - 70.0) * (range - 70.0) / 60.0;
+  }
+  return curve;
+}
+
+std::vector<double> study_cell(const SpacingCommand& c, std::size_t cell, std::size_t starts) {
+  const double start = 120.0 + 5.0 * static_cast<double>(cell % starts);
+  const double range = kTrueRanges[cell / starts];
+  std::vector<double> sums(8, 0.0);
+  for (int i = 0; i < c.missions; ++i) {
+    SpacingWorld world = c.world;
+    world.truth = curve_to(range);
+    world.seed = mixed_seed(c.output.seed, cell, static_cast<std::uint64_t>(i));
+    for (const bool adapt : {false, true}) {
+      TrackSpacingOptions o = planner_of(c);
+      o.range_m = start;
+      o.adapt = adapt;
+      const auto mission = sail(o, world);
+      const auto risk = risk_figures(mission.risk, c.border_m, c.components);
+      const std::size_t at = adapt ? 4 : 0;
+      sums[at] += static_cast<double>(mission.state.sailed.size());
+      sums[at + 1] += 100.0 * uncovered_share(mission.risk);
+      sums[at + 2] += risk.mean;
+      sums[at + 3] += risk.mixture.back().mean;
+    }
+  }
+  std::vector<double> row{range, start};
+  for (const double s : sums) row.push_back(s / c.missions);
+  return row;
+}
+
+void study(const SpacingCommand& c) {
+  const TrackSpacingOptions o = planner_of(c);
+  constexpr std::size_t kStarts = 7;
+  const auto limit = thread_limit(c.output);
+  Study s{
+      "spacing",
+      fmt::format("seed {} missions {} width_m {} length_m {} nadir_m {} threshold {} trials {} "
+                  "scatter {} careful {} components {} border_m {}",
+                  c.output.seed, c.missions, o.width_m, o.length_m, o.nadir_m, o.threshold,
+                  c.world.trials, c.world.scatter, o.careful, c.components, c.border_m),
+      {"true_range_m", "start_range_m", "control_tracks", "control_uncovered_pct",
+       "control_mean_risk", "control_worst_component", "adaptive_tracks", "adaptive_uncovered_pct",
+       "adaptive_mean_risk", "adaptive_worst_component"},
+      kTrueRanges.size() * kStarts,
+      [&](std::size_t cell) { return study_cell(c, cell, kStarts); }};
+  const auto rows = run_study(s, c.output.folder, study_progress("spacing", c.output.quiet));
+  Chart chart{"Track spacing: worst component of the residual risk (dashed: control)",
+              "range believed at the start, m",
+              "",
+              {}};
+  for (std::size_t r = 0; r < kTrueRanges.size(); ++r) {
+    for (const bool adapt : {true, false}) {
+      ChartCurve curve{adapt ? fmt::format("true {:g} m", kTrueRanges[r]) : "", {}, {}, !adapt};
+      for (std::size_t k = 0; k < kStarts; ++k) {
+        curve.x.push_back(rows[r * kStarts + k][1]);
+        curve.y.push_back(rows[r * kStarts + k][adapt ? 9 : 5]);
+      }
+      chart.curves.push_back(std::move(curve));
+    }
+  }
+  write_chart_png(c.output.folder / "spacing.png", chart);
+  if (c.output.quiet) return;
+  fmt::print(
+      "true  start | control: tracks  uncovered %  worst | adaptive: tracks  uncovered %  "
+      "worst\n");
+  for (const auto& r : rows) {
+    fmt::print("{:4g}  {:5g} | {:15.2f}  {:11.2f}  {:.3f} | {:16.2f}  {:11.2f}  {:.3f}\n", r[0],
+               r[1], r[2], r[3], r[5], r[6], r[7], r[9]);
+  }
+}
+
+DetectionCurve observed_curve(const nlohmann::json& message) {
+  if (message.contains("curve")) {
+    return {message["curve"].at("range_m").get<std::vector<double>>(),
+            message["curve"].at("p").get<std::vector<double>>()};
+  }
+  const auto& counts = message.at("counts");
+  return estimated_curve({counts.value("first_m", 0.0), counts.at("step_m").get<double>(),
+                          counts.at("trials").get<std::vector<std::int64_t>>(),
+                          counts.at("detections").get<std::vector<std::int64_t>>()});
+}
+
+void live(const SpacingCommand& c) {
+  const TrackSpacingOptions o = planner_of(c);
+  const SurveyBox box = box_of(c.box, o.width_m, o.length_m, {});
+  TrackSpacingState state = start_spacing(o);
+  LivePlanner planner{"spacing", [&] { return next_track(state); }, {}, {}};
+  planner.observe = [&](const SurveyTrack& track, const nlohmann::json& message) {
+    state = observe(state, track, observed_curve(message));
+  };
+  planner.figures = [&] {
+    return nlohmann::ordered_json{{"good_range_m", state.good_range_m},
+                                  {"range_too_short", state.range_too_short}};
+  };
+  const auto sailed = run_live(std::cin, std::cout, box, {}, planner);
+  if (sailed.empty()) return;
+  MissionOutput out =
+      mission_output(box, sailed, o.range_m, flat_depth_m(o.range_m), provenance(c, o, "live"));
+  out.planner = "spacing";
+  out.label = "Track spacing (live)";
+  out.figures = {{"tracks", static_cast<double>(sailed.size())}};
+  out.pictures = {picture_of(out.label, o, sailed)};
+  write_live_mission(c.output, out, box, o.range_m);
+}
+
+void add_planner_options(CLI::App& command, SpacingCommand& c) {
+  command.add_option("--width", c.planner.width_m, "Of the area across the tracks, m")
+      ->capture_default_str();
+  command.add_option("--length", c.planner.length_m, "Of a track, m")->capture_default_str();
+  command.add_option("--range", c.planner.range_m, "Range r believed good at the start, m")
+      ->capture_default_str();
+  command.add_option("--nadir", c.planner.nadir_m, "Nadir gap r_n to each side, m")
+      ->capture_default_str();
+  command.add_option("--threshold", c.planner.threshold, "Smallest P(y) of good data")
+      ->capture_default_str();
+  command.add_flag("--as-published", c.as_published,
+                   "No second thoughts within a pair, spare width at the far edge");
+  add_box_options(command, c.box);
+  add_adapt_output(command, c.output);
+}
+
+void add_world_options(CLI::App& command, SpacingCommand& c) {
+  command
+      .add_option("--trials", c.world.trials,
+                  "Targets tried per range bin and track; 0: the planner is given the true curve")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--scatter", c.world.scatter, "Relative deviation of P from cell to cell")
+      ->check(CLI::Range(0.0, 0.99))
+      ->capture_default_str();
+  command.add_option("--border", c.border_m, "Border left out of risk figures, m")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_option("--components", c.components, "Gaussians of the mixture")
+      ->check(CLI::Range(1, 6))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_adapt_spacing(CLI::App& adapt) {
+  auto* spacing =
+      adapt.add_subcommand("spacing", "Paired tracks whose spacing follows the range of good data");
+  spacing->require_subcommand(1);
+  auto c = std::make_shared<SpacingCommand>();
+  auto* sub = spacing->add_subcommand("simulate", "One mission and its residual risk");
+  add_planner_options(*sub, *c);
+  add_world_options(*sub, *c);
+  sub->add_flag("--control", c->control, "Do not adapt");
+  sub->add_option("--curve", c->curve, "True P(y): a file of 'range_m,p' lines");
+  sub->callback([c] { simulate(*c); });
+  sub = spacing->add_subcommand("study", "Control against adaptive over believed and true ranges");
+  add_planner_options(*sub, *c);
+  add_world_options(*sub, *c);
+  add_missions_option(*sub, c->missions, "Per cell");
+  sub->callback([c] { study(*c); });
+  sub = spacing->add_subcommand("live", "JSON lines: observations in, tracks out");
+  add_planner_options(*sub, *c);
+  sub->callback([c] { live(*c); });
+}
+
+}  // namespace swathplan

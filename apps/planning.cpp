@@ -1,0 +1,133 @@
+#include "apps/planning.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+
+#include "apps/progress.h"
+#include "mesh/base/error.h"
+#include "planners/fitted/edge_following.h"
+#include "planners/fitted/fitted_lines.h"
+#include "planners/nuc/mdnuc.h"
+#include "planners/nuc/nuc.h"
+#include "planners/rows/back_and_forth.h"
+#include "planners/rows/multi_depth.h"
+
+namespace swathplan {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void check_scale(const Site& site, const SurveyOptions& options) {
+  const Vec2 size = extent(site.survey_area).size();
+  if (options.resolution_m > size.maxCoeff()) {
+    throw UsageError(
+        fmt::format("--resolution {:g}; the survey area of {:.1f} x {:.1f} m is smaller "
+                    "than one such cell",
+                    options.resolution_m, size.x(), size.y()));
+  }
+  const Sonar sonar = sonar_of(options);
+  const double shoalest = depth_range(site.seafloor()).min;
+  if (shoalest > sonar.max_range_m) {
+    throw InvalidInput(fmt::format(
+        "the seafloor lies {:.0f} m deep or more, beyond the range of the sonar {} ({:g} m): check "
+        "--z-unit and --water-level, or choose another --sonar",
+        shoalest, sonar.name, sonar.max_range_m));
+  }
+}
+
+}  // namespace
+
+void note_reach(Site& site, const SurveyOptions& options) {
+  const PlanOptions how = plan_options(options, site.seafloor().frame);
+  const double width = footprint_width_m(how);
+  const double depth = depth_range(site.seafloor()).mean - how.vehicle.draft_m;
+  const double reach = 2.0 * depth * tan(how.sonar.max_opening / 2.0);
+  if (reach >= width) return;
+  site.notes.push_back(fmt::format(
+      "a footprint width of {:.4g} m ({} beams, cells of {:g} m) is more than a fan of {:g} "
+      "degrees "
+      "sweeps at the mean depth ({:.4g} m): back-and-forth and multi-depth lines that far apart "
+      "leave "
+      "gaps, and length ratios count in swaths that cannot be had; finer cells (--resolution) "
+      "bring "
+      "lines closer",
+      width, how.sonar.beams, options.resolution_m, how.sonar.max_opening.deg(), reach));
+}
+
+const std::vector<Planner>& planners() {
+  static const std::vector<Planner> list{
+      {"back-and-forth", "B&F", plan_back_and_forth},
+      {"edge-following", "edge-following", plan_edge_following, false},
+      {"multi-depth", "MDB&F", plan_multi_depth},
+      {"nuc", "NUC", plan_nuc},
+      {"mdnuc", "MDNUC", plan_mdnuc},
+      {"fitted-lines", "fitted lines", plan_fitted_lines},
+  };
+  return list;
+}
+
+const Planner& planner(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Planner& p : planners()) {
+    if (p.name == name) return p;
+    names.push_back(p.name);
+  }
+  throw UsageError(
+      fmt::format("'{}' is not a planner; choose one of {}", name, fmt::join(names, ", ")));
+}
+
+Scorer::Scorer(const Site& site, const SurveyOptions& options, bool quiet)
+    : options_(&options),
+      score_options_(score_options(options)),
+      scene_(site.seafloor(), score_options_.nodata),
+      ground_{&site.seafloor(), site.depths.get(), &scene_, site.survey_area, site.water},
+      quiet_(quiet) {
+  // What cannot be scored is refused before any planner works for it.
+  static_cast<void>(grid_size(site.survey_area, options.resolution_m));
+  check_scale(site, options);
+}
+
+ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
+  ProgressBar bar(label, quiet_);
+  ScoreOptions options = score_options_;
+  options.progress = [&](double share, std::uint64_t rays) { bar.show(share, rays); };
+  return swathplan::score(route, ground_, sonar_of(*options_), vehicle_of(*options_), options);
+}
+
+void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
+                    std::vector<std::string>& notes) {
+  std::string note = endurance_note(figures, vehicle);
+  if (!note.empty()) notes.push_back(std::move(note));
+}
+
+PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const SurveyOptions& options,
+                             const Scorer& scorer) {
+  const auto start = std::chrono::steady_clock::now();
+  const PlanOptions how = plan_options(options, site.seafloor().frame);
+  Plan plan = planner.plan(site.planning_ground(&scorer.scene()), how);
+  if (how.start && !contains(site.water, *how.start) && !plan.route.waypoints.empty()) {
+    const Vec2 first = site.seafloor().frame.to_file(plan.route.waypoints.front().position);
+    plan.notes.push_back(
+        fmt::format("--start {} is not in safe water; the route begins at {:.1f},{:.1f}",
+                    options.start, first.x(), first.y()));
+  }
+  if (plan.route.waypoints.size() < 2) {
+    throw InvalidInput(
+        fmt::format("{}: no line of it fits into '{}' at a footprint width of {:.4g} m ({} beams x "
+                    "--resolution {:g}); use finer cells or another --planner",
+                    planner.name, site.imported.file, footprint_width_m(how), how.sonar.beams,
+                    how.resolution_m));
+  }
+  const double planning = seconds_since(start);
+  const auto planned = std::chrono::steady_clock::now();
+  ScoredRoute scored = scorer.score(planner.label, plan.route);
+  note_endurance(scored.score.route, how.vehicle, plan.notes);
+  return {planner.name,      planner.label, std::move(plan),
+          std::move(scored), planning,      seconds_since(planned)};
+}
+
+}  // namespace swathplan

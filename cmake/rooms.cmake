@@ -1,0 +1,45 @@
+# A room is one folder of src/ (or apps/): one target, the rooms that it may include, and its sources.
+#
+#   swathplan_room(planners/steering
+#     USES mesh/base mesh/plane coverage/route
+#     FOREIGN CGAL::CGAL fmt::fmt
+#     SOURCES connect.cpp dubins.cpp)
+#
+# USES are the room's arrows: headers of other rooms may not be included (tests/rooms_test.cpp holds
+# every file against them). FOREIGN libraries stay private: their headers appear in .cpp files only.
+define_property(GLOBAL PROPERTY SWATHPLAN_ROOMS
+  BRIEF_DOCS "Lines 'room: room room ...' of all arrows that were declared")
+
+# swathplan_room_target(OUT ROOM): the CMake target of a room.
+function(swathplan_room_target out room)
+  string(REPLACE "/" "_" name ${room})
+  set(${out} swathplan_${name} PARENT_SCOPE)
+endfunction()
+
+# swathplan_arrows(ROOM USED...): declares what ROOM may include.
+function(swathplan_arrows room)
+  list(JOIN ARGN " " uses)
+  set_property(GLOBAL APPEND PROPERTY SWATHPLAN_ROOMS "${room}: ${uses}")
+endfunction()
+
+function(swathplan_room room)
+  cmake_parse_arguments(ARG "" "" "USES;FOREIGN;SOURCES" ${ARGN})
+  swathplan_arrows(${room} ${ARG_USES})
+  swathplan_room_target(target ${room})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  foreach(used IN LISTS ARG_USES)
+    swathplan_room_target(used_target ${used})
+    target_link_libraries(${target} PUBLIC ${used_target})
+  endforeach()
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE swathplan_options fmt::fmt
+    ${ARG_FOREIGN})
+  swathplan_unity(${target})
+endfunction()
+
+# Writes the arrows to build/rooms.txt for the test that holds the includes against them.
+function(swathplan_write_rooms)
+  get_property(rooms GLOBAL PROPERTY SWATHPLAN_ROOMS)
+  list(JOIN rooms "\n" text)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/rooms.txt CONTENT "${text}\n")
+endfunction()

@@ -1,0 +1,182 @@
+#include "coverage/route/route_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "mesh/plane/area_query.h"
+#include "mesh/plane/path_meetings.h"
+
+namespace swathplan {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::vector<Vec2> distinct_points(const Route& route) {
+  std::vector<Vec2> points;
+  for (const Waypoint& w : route.waypoints) {
+    if (points.empty() || (w.position - points.back()).norm() > kCoincident) {
+      points.push_back(w.position);
+    }
+  }
+  return points;
+}
+
+// Change of course at b, radians, to port positive.
+double bend(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const Vec2 in = b - a;
+  const Vec2 out = c - b;
+  return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+}
+
+void add_lengths(const Route& route, RouteFigures& figures) {
+  for (std::size_t i = 0; i + 1 < route.waypoints.size(); ++i) {
+    const Waypoint& w = route.waypoints[i];
+    const double length = (route.waypoints[i + 1].position - w.position).norm();
+    figures.length_m += length;
+    figures.length_by_kind_m[std::string(name(w.kind))] += length;
+    if (w.log) figures.logged_length_m += length;
+    const double seconds = length / w.speed_mps;
+    figures.duration_s += seconds;
+    figures.duration_by_kind_s[std::string(name(w.kind))] += seconds;
+    if (w.line) figures.duration_by_line_s[*w.line] += seconds;
+    if (!w.feasible) figures.infeasible_m += length;
+  }
+}
+
+// Counts curves: runs of bends to the same side with short ways between.
+class TurnCounter {
+ public:
+  explicit TurnCounter(RouteFigures& figures) : figures_(figures) {}
+
+  void add(double angle, double way_before) {
+    if (angle * curve_ < 0.0 || way_before > kCurveGapM) end_curve();
+    curve_ += angle;
+  }
+  void end_curve() {
+    // A right angle made of many bends is not to fall short of it by rounding.
+    constexpr double kDust = 1e-6;
+    const double degrees = std::abs(curve_) * 180.0 / std::numbers::pi + kDust;
+    figures_.turns += degrees >= kTurnDeg;
+    figures_.sharp_turns += degrees >= kSharpTurnDeg;
+    curve_ = 0.0;
+  }
+
+ private:
+  RouteFigures& figures_;
+  double curve_ = 0.0;
+};
+
+void add_turns(const std::vector<Vec2>& points, double smallest_radius_m, RouteFigures& figures) {
+  TurnCounter turns(figures);
+  figures.min_turn_radius_m = kInfinity;
+  double way = 0.0;  // since the last bend
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const double before = (points[i] - points[i - 1]).norm();
+    const double after = (points[i + 1] - points[i]).norm();
+    const double angle = bend(points[i - 1], points[i], points[i + 1]);
+    way += before;
+    figures.total_turning_deg += std::abs(angle) * 180.0 / std::numbers::pi;
+    const double tangent = std::tan(0.5 * std::abs(angle));
+    if (tangent > 0.0) {
+      const double half = 0.5 * std::min(before, after);
+      const double radius = half / tangent;
+      if (radius < kStraightRadiusM) {
+        figures.min_turn_radius_m = std::min(figures.min_turn_radius_m, radius);
+      }
+      if (half < (1.0 - kTightShare) * smallest_radius_m * tangent) {
+        // As much path as a turn of that radius takes for this bend, if there is so much.
+        figures.tight_turn_m +=
+            std::min(0.5 * (before + after), smallest_radius_m * std::abs(angle));
+      }
+    }
+    // Points along a straight line bend by rounding alone.
+    constexpr double kStraight = 1e-6;
+    if (std::abs(angle) < kStraight) continue;
+    turns.add(angle, way);
+    way = 0.0;
+  }
+  turns.end_curve();
+}
+
+double outside_m(const std::vector<Vec2>& points, const Area& water) {
+  const AreaQuery query(water);
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double length = (points[i + 1] - points[i]).norm();
+    const double outside = length - query.inside_length(points[i], points[i + 1]);
+    if (outside > kLengthDust) sum += outside;
+  }
+  return sum;
+}
+
+struct DepthsBelow {
+  double least_m = kInfinity;
+  double unknown_m = 0.0;  // path outside the water and without a depth
+};
+
+DepthsBelow depths_below(const std::vector<Vec2>& points, const Area& water,
+                         const DepthQuery& depths) {
+  const AreaQuery query(water);
+  DepthsBelow below;
+  // Each look stands for `length` metres of path.
+  const auto look = [&](const Vec2& p, double length) {
+    if (const auto depth = depths.depth(p)) {
+      below.least_m = std::min(below.least_m, *depth);
+    } else if (!query.contains(p)) {
+      below.unknown_m += length;
+    }
+  };
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec2 way = points[i + 1] - points[i];
+    const double steps = std::ceil(way.norm() / kDepthStepM);
+    for (double k = 0; k < steps; ++k) look(points[i] + k / steps * way, way.norm() / steps);
+  }
+  if (!points.empty()) look(points.back(), 0.0);
+  return below;
+}
+
+}  // namespace
+
+RouteFigures route_figures(const Route& route, const Vehicle& vehicle, const Area& water,
+                           const DepthQuery& depths, double survey_area_m2,
+                           double footprint_width_m) {
+  RouteFigures figures;
+  add_lengths(route, figures);
+  for (const Leg& leg : legs(route))
+    figures.infeasible_legs += !route.waypoints[leg.first].feasible;
+  if (vehicle.power_w) figures.energy_wh = *vehicle.power_w * figures.duration_s / 3600.0;
+  figures.contingency_s = vehicle.contingency * figures.duration_s;
+  figures.beyond_endurance =
+      figures.duration_s + figures.contingency_s > 3600.0 * vehicle.endurance_h;
+  if (survey_area_m2 > 0 && footprint_width_m > 0) {
+    figures.length_ratio = figures.length_m / (survey_area_m2 / footprint_width_m);
+  }
+  const std::vector<Vec2> points = distinct_points(route);
+  add_turns(points, vehicle.turn_radius_m, figures);
+  const PathMeetings meetings = path_meetings(points);
+  figures.self_crossings = meetings.crossings;
+  figures.shared_stretches = meetings.shared_stretches;
+  figures.shared_m = meetings.shared_m;
+  figures.outside_water_m = outside_m(points, water);
+  const DepthsBelow below = depths_below(points, water, depths);
+  figures.unknown_depth_m = std::min(below.unknown_m, figures.outside_water_m);
+  figures.min_under_keel_m =
+      figures.unknown_depth_m > 0.0 ? kInfinity : below.least_m - vehicle.draft_m;
+  return figures;
+}
+
+std::string endurance_note(const RouteFigures& figures, const Vehicle& vehicle) {
+  if (!figures.beyond_endurance) return {};
+  const double hours = (figures.duration_s + figures.contingency_s) / 3600.0;
+  return fmt::format(
+      "the mission takes {:.2f} h with a contingency of {:g} %, {:.2f} h more than the vehicle's "
+      "endurance of {:g} h: it must be split",
+      hours, 100.0 * vehicle.contingency, hours - vehicle.endurance_h, vehicle.endurance_h);
+}
+
+}  // namespace swathplan

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "coverage/route/route.h"
+#include "coverage/route/vehicle.h"
+#include "mesh/plane/polygons.h"
+#include "mesh/seafloor.h"
+
+namespace swathplan {
+
+/// What can be said of a route without a sonar. Waypoints nearer than a micrometre to the one
+/// before add nothing.
+struct RouteFigures {
+  double length_m = 0.0;
+  std::map<std::string, double> length_by_kind_m;  ///< kind name -> metres
+  double logged_length_m = 0.0;
+  double length_ratio = 0.0;       ///< length / (area / W)
+  std::size_t turns = 0;           ///< curves that change the course by at least kTurnDeg
+  std::size_t sharp_turns = 0;     ///< of them, by at least kSharpTurnDeg
+  double total_turning_deg = 0.0;  ///< sum of all changes of course
+  /// Smallest radius that a waypoint asks for: that of the arc which touches both of its segments
+  /// and begins in the middle of the shorter one. On waypoints of a curve it is the curve's radius.
+  /// Infinite for a straight route (bends wider than kStraightRadiusM come from rounding), 0 where
+  /// the route turns back on itself.
+  double min_turn_radius_m = 0.0;
+  std::size_t self_crossings = 0;    ///< places, see mesh/path_meetings.h
+  std::size_t shared_stretches = 0;  ///< places where the path runs along itself
+  double shared_m = 0.0;             ///< metres sailed along earlier stretches
+  double outside_water_m = 0.0;      ///< path outside the water or inside no-go
+  double unknown_depth_m = 0.0;  ///< of that, where the data hold no depth: land, or beyond them
+  /// Least depth below the path less the draft; infinite where none is known: no data at all, or
+  /// the path leaves the water over ground without a depth (unknown_depth_m).
+  double min_under_keel_m = 0.0;
+  double duration_s = 0.0;  ///< length over each leg's speed
+  std::map<std::string, double> duration_by_kind_s;
+  std::map<int, double> duration_by_line_s;  ///< line number -> seconds
+  double contingency_s = 0.0;                ///< allowance: the vehicle's share of the duration
+  std::optional<double> energy_wh;  ///< of the duration, where the vehicle's power is known
+  bool beyond_endurance = false;    ///< duration and contingency exceed the vehicle's endurance
+  double tight_turn_m = 0.0;        ///< path that bends tighter than the vehicle's turn radius
+  std::size_t infeasible_legs = 0;  ///< legs that the planner marked
+  double infeasible_m = 0.0;
+};
+
+/// A bend counts as tight when its radius falls short of the vehicle's by more than this share:
+/// points written in millimetres bend by rounding.
+inline constexpr double kTightShare = 0.01;
+inline constexpr double kStraightRadiusM = 1e5;
+inline constexpr double kTurnDeg = 30.0;
+inline constexpr double kSharpTurnDeg = 90.0;
+/// Bends to the same side no farther apart than this are one curve, metres of path.
+inline constexpr double kCurveGapM = 3.0;
+/// The depth below the path is looked up at each waypoint and at least this often between, metres.
+inline constexpr double kDepthStepM = 1.0;
+
+/// `water`: where the boat may be (outline of the data deep enough, less no-go).
+/// `footprint_width_m`: W, for the length ratio over `survey_area_m2`.
+[[nodiscard]] RouteFigures route_figures(const Route& route, const Vehicle& vehicle,
+                                         const Area& water, const DepthQuery& depths,
+                                         double survey_area_m2, double footprint_width_m);
+
+/// What to say of a mission that does not fit into the vehicle's endurance, contingency included:
+/// one sentence without a full stop; empty if it fits.
+[[nodiscard]] std::string endurance_note(const RouteFigures& figures, const Vehicle& vehicle);
+
+/// Waypoints nearer than this are one place, metres.
+inline constexpr double kCoincident = 1e-6;
+/// Metres of a segment that rounding may put outside the water.
+inline constexpr double kLengthDust = 1e-9;
+
+}  // namespace swathplan

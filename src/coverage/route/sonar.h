@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coverage/route/route.h"
+#include "mesh/base/angle.h"
+
+namespace swathplan {
+
+enum class BeamSpacing { equiangular, equidistant };
+
+/// A multibeam echo sounder. Presets are nominal: check your data sheet.
+struct Sonar {
+  std::string name = "norbit-iwbms";
+  int beams = 256;  ///< >= 2
+  BeamSpacing spacing = BeamSpacing::equiangular;
+  Angle beam_width_along = Angle::degrees(1.9);
+  Angle beam_width_across = Angle::degrees(0.9);
+  Angle max_opening = Angle::degrees(160);  ///< full fan, (0, 180) degrees
+  double max_ping_rate_hz = 60.0;
+  double max_range_m = 275.0;
+};
+
+[[nodiscard]] std::vector<Sonar> sonar_presets();
+/// Empty if there is no such preset.
+[[nodiscard]] std::optional<Sonar> sonar_preset(std::string_view name);
+
+/// Footprint width W = beams x resolution, metres.
+[[nodiscard]] double footprint_width_m(const Sonar& sonar, double resolution_m);
+/// Half-angle 'atan(W/2 / depth)' that sweeps `width_m` at `depth_m`, capped by the sonar.
+[[nodiscard]] Angle half_angle(const Sonar& sonar, double width_m, double depth_m);
+/// Gap-free half-angle t: the largest for which neighbouring equiangular beams on flat ground are
+/// no farther apart than `cell_m`: 2 t sec^2(t) depth / (beams - 1) = cell. Capped by the sonar.
+[[nodiscard]] Angle gap_free_half_angle(const Sonar& sonar, double depth_m, double cell_m);
+/// Angles of the beams from nadir, port negative, ascending.
+[[nodiscard]] std::vector<double> beam_angles_rad(const Sonar& sonar, const FanAngles& fan);
+
+}  // namespace swathplan

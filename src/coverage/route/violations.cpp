@@ -1,0 +1,153 @@
+#include "coverage/route/violations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coverage/route/route_figures.h"
+#include "mesh/plane/area_query.h"
+
+namespace swathplan {
+namespace {
+
+
+double length_of(const Route& route, std::size_t first, std::size_t last) {
+  double sum = 0.0;
+  for (std::size_t i = first; i < last; ++i) {
+    sum += (route.waypoints[i + 1].position - route.waypoints[i].position).norm();
+  }
+  return sum;
+}
+
+Vec2 halfway(const Route& route, std::size_t first, std::size_t last) {
+  double left = 0.5 * length_of(route, first, last);
+  for (std::size_t i = first; i < last; ++i) {
+    const Vec2& from = route.waypoints[i].position;
+    const Vec2 way = route.waypoints[i + 1].position - from;
+    if (left <= way.norm()) return way.norm() > 0.0 ? Vec2(from + left / way.norm() * way) : from;
+    left -= way.norm();
+  }
+  return route.waypoints[last].position;
+}
+
+void add_infeasible(const Route& route, std::vector<Violation>& list) {
+  for (const Leg& leg : legs(route)) {
+    if (route.waypoints[leg.first].feasible) continue;
+    list.push_back({.kind = ViolationKind::infeasible,
+                    .first = leg.first,
+                    .last = leg.last,
+                    .length_m = length_of(route, leg.first, leg.last)});
+  }
+}
+
+void add_outside(const Route& route, const Area& water, std::vector<Violation>& list) {
+  const AreaQuery query(water);
+  bool goes_on = false;
+  for (std::size_t i = 0; i + 1 < route.waypoints.size(); ++i) {
+    const Vec2& a = route.waypoints[i].position;
+    const Vec2& b = route.waypoints[i + 1].position;
+    const double length = (b - a).norm();
+    if (length <= kCoincident) continue;
+    const double outside = length - query.inside_length(a, b);
+    const bool out = outside > kLengthDust;
+    if (out && !goes_on) {
+      list.push_back({.kind = ViolationKind::outside_water, .first = i, .last = i + 1});
+    }
+    if (out) {
+      list.back().last = i + 1;
+      list.back().length_m += outside;
+    }
+    goes_on = out;
+  }
+}
+
+/// The radius of the bend at b as route_figures.h defines it, and the path that it spoils.
+struct Bend {
+  double radius_m, spoilt_m;
+};
+
+Bend bend(const Vec2& a, const Vec2& b, const Vec2& c, double smallest_m) {
+  const Vec2 in = b - a;
+  const Vec2 out = c - b;
+  const double angle = std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)));
+  const double tangent = std::tan(0.5 * angle);
+  const double radius = 0.5 * std::min(in.norm(), out.norm()) / std::max(tangent, 1e-300);
+  return {radius, std::min(0.5 * (in.norm() + out.norm()), smallest_m * angle)};
+}
+
+void add_tight(const Route& route, double smallest_m, std::vector<Violation>& list) {
+  std::vector<std::size_t> at;  // waypoints that lie apart
+  for (std::size_t i = 0; i < route.waypoints.size(); ++i) {
+    const auto& p = route.waypoints[i].position;
+    if (at.empty() || (p - route.waypoints[at.back()].position).norm() > kCoincident) {
+      at.push_back(i);
+    }
+  }
+  double since = 0.0;  // metres since the last tight bend
+  bool open = false;
+  for (std::size_t k = 1; k + 1 < at.size(); ++k) {
+    const Vec2& b = route.waypoints[at[k]].position;
+    since += (b - route.waypoints[at[k - 1]].position).norm();
+    const bool marked = !route.waypoints[at[k]].feasible || !route.waypoints[at[k - 1]].feasible;
+    const Bend found = bend(route.waypoints[at[k - 1]].position, b,
+                            route.waypoints[at[k + 1]].position, smallest_m);
+    if (marked || found.radius_m >= (1.0 - kTightShare) * smallest_m) continue;
+    if (!open || since > kCurveGapM) {
+      list.push_back(
+          {.kind = ViolationKind::tight_turn, .first = at[k - 1], .radius_m = found.radius_m});
+    }
+    open = true;
+    since = 0.0;
+    Violation& turn = list.back();
+    turn.last = at[k + 1];
+    turn.length_m += found.spoilt_m;
+    turn.radius_m = std::min(turn.radius_m, found.radius_m);
+  }
+}
+
+}  // namespace
+
+std::string_view name(ViolationKind kind) {
+  switch (kind) {
+    case ViolationKind::infeasible:
+      return "infeasible";
+    case ViolationKind::outside_water:
+      return "outside water";
+    case ViolationKind::tight_turn:
+      return "tight turn";
+  }
+  return {};
+}
+
+std::vector<Violation> violations(const Route& route, const Vehicle& vehicle, const Area& water) {
+  std::vector<Violation> list;
+  add_infeasible(route, list);
+  add_outside(route, water, list);
+  add_tight(route, vehicle.turn_radius_m, list);
+  for (Violation& v : list) v.position = halfway(route, v.first, v.last);
+  return list;
+}
+
+std::string reason(const Violation& v, const Route& route, const Vehicle& vehicle) {
+  switch (v.kind) {
+    case ViolationKind::infeasible: {
+      const LegKind leg = route.waypoints[v.first].kind;
+      if (leg == LegKind::turn || leg == LegKind::transit) {
+        return fmt::format("no forward way with turns of {:g} m stays in safe water",
+                           vehicle.turn_radius_m);
+      }
+      return fmt::format(
+          "bends tighter than {:g} m, and no forward way around it stays in safe water",
+          vehicle.turn_radius_m);
+    }
+    case ViolationKind::outside_water:
+      return "too shoal, on land, too close to a wall, or inside no-go";
+    case ViolationKind::tight_turn:
+      return fmt::format("a radius of {:.2f} m, where the vehicle needs {:g} m", v.radius_m,
+                         vehicle.turn_radius_m);
+  }
+  return {};
+}
+
+}  // namespace swathplan

@@ -1,0 +1,129 @@
+#include "io/exports/exportable_route.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/files/csv.h"
+#include "io/files/lonlat.h"
+#include "io/files/text.h"
+#include "io/files/text_fields.h"
+#include "io/route/read_route.h"
+#include "mesh/base/error.h"
+
+namespace swathplan {
+namespace {
+
+/// Coordinates of a file that differ by less are the same: the rounding of both (1 m).
+constexpr double kSamePlaceDeg = 1e-5;
+
+/// Exports hold no fans, so that any will do where a file has none.
+const RouteDefaults kDefaults{
+    .fan = FanAngles{.port = Angle::degrees(60), .starboard = Angle::degrees(60)}};
+
+Frame frame_of(const std::string& crs_wkt) {
+  return {.origin = Vec2::Zero(), .metres_per_unit = metres_per_unit(crs_wkt), .crs_wkt = crs_wkt};
+}
+
+Frame utm_frame(const Vec2& lonlat) { return frame_of(utm_crs(lonlat.x(), lonlat.y())); }
+
+/// The columns lon_deg,lat_deg of a CSV file; empty if they are missing or not full.
+std::vector<Vec2> lonlat_columns(std::string_view text) {
+  const internal::CsvTable table = internal::parse_csv(text);
+  const auto column = [&](const char* name) {
+    return static_cast<std::size_t>(std::find(table.header.begin(), table.header.end(), name) -
+                                    table.header.begin());
+  };
+  const std::size_t lon = column("lon_deg");
+  const std::size_t lat = column("lat_deg");
+  std::vector<Vec2> result;
+  for (const auto& row : table.rows) {
+    if (std::max(lon, lat) >= std::min(row.fields.size(), table.header.size())) return {};
+    const auto x = internal::number(row.fields[lon]);
+    const auto y = internal::number(row.fields[lat]);
+    if (!x || !y) return {};
+    result.emplace_back(*x, *y);
+  }
+  return result;
+}
+
+void check_same_place(const PlacedRoute& placed, const std::vector<Vec2>& lonlat,
+                      const std::string& file) {
+  if (lonlat.empty()) return;
+  const auto converted =
+      internal::LonLat(placed.frame).from_local(positions(placed.route.waypoints));
+  for (std::size_t i = 0; i < lonlat.size(); ++i) {
+    if ((converted[i] - lonlat[i]).norm() < kSamePlaceDeg) continue;
+    throw InvalidInput(fmt::format(
+        "'{}', waypoint {}: x_m,y_m in {} lie at ({:.6f}, {:.6f}), but lon_deg,lat_deg say "
+        "({:.6f}, {:.6f}): leave out --crs, or give that of the seafloor's file",
+        file, i, crs_name(placed.frame.crs_wkt), converted[i].x(), converted[i].y(), lonlat[i].x(),
+        lonlat[i].y()));
+  }
+}
+
+class Reader {
+ public:
+  Reader(const std::filesystem::path& path, std::vector<std::string>& notes)
+      : path_(path), notes_(notes) {}
+
+  [[nodiscard]] PlacedRoute read(const Frame& frame) const {
+    ImportedRoute imported = read_route(path_, frame, kDefaults);
+    notes_ = std::move(imported.notes);
+    std::erase_if(notes_,
+                  [](const std::string& note) { return note.find(" fan") != std::string::npos; });
+    return {std::move(imported.route), frame, nullptr};
+  }
+
+ private:
+  const std::filesystem::path& path_;
+  std::vector<std::string>& notes_;
+};
+
+bool is_geojson_in_degrees(std::string_view text) {
+  return trim(text).starts_with('{') && text.find("\"local_frame\"") == std::string_view::npos;
+}
+
+}  // namespace
+
+ExportableRoute read_exportable_route(const std::filesystem::path& path,
+                                      const std::string& crs_wkt) {
+  if (is_geographic(crs_wkt)) {
+    throw UsageError(fmt::format("--crs {} is in degrees; must be the projected one of x_m,y_m",
+                                 crs_name(crs_wkt)));
+  }
+  const std::string text = internal::read_text(path);
+  ExportableRoute result;
+  const Reader reader(path, result.notes);
+  if (!crs_wkt.empty() || is_geojson_in_degrees(text)) {
+    Frame frame = frame_of(crs_wkt);
+    if (crs_wkt.empty()) {
+      const PlacedRoute degrees = reader.read(frame_of(wgs84_crs()));
+      frame = utm_frame(degrees.route.waypoints.front().position);
+    }
+    result.planar = reader.read(frame);
+    if (crs_wkt.empty()) {
+      result.notes.push_back(
+          fmt::format("eastings and northings are those of {}: give another "
+                      "with --crs EPSG:n",
+                      crs_name(frame.crs_wkt)));
+    } else if (!trim(text).starts_with('{')) {
+      check_same_place(result.planar, lonlat_columns(text), path.string());
+    }
+    result.geographic = result.planar;
+    return result;
+  }
+  result.planar = reader.read({});
+  result.geographic = result.planar;
+  const std::vector<Vec2> lonlat =
+      trim(text).starts_with('{') ? std::vector<Vec2>() : lonlat_columns(text);
+  if (lonlat.empty()) return result;
+  result.geographic.frame = utm_frame(lonlat.front());
+  const std::vector<Vec2> local = internal::LonLat(result.geographic.frame).to_local(lonlat);
+  for (std::size_t i = 0; i < local.size(); ++i) {
+    result.geographic.route.waypoints[i].position = local[i];
+  }
+  return result;
+}
+
+}  // namespace swathplan

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coverage/route/route.h"
+#include "mesh/plane/area_query.h"
+
+namespace swathplan {
+
+/// Files that autopilots, chart systems and survey packages read; see docs/exports.md.
+enum class ExportFormat { waypoints, gpx, rtz, kml, lnw, dxf };
+/// The name on the command line, which is the file's extension too.
+[[nodiscard]] std::string_view name(ExportFormat format);
+[[nodiscard]] std::vector<ExportFormat> all_export_formats();
+/// All names, separated by commas.
+[[nodiscard]] std::string export_format_names();
+/// @throws UsageError for a name that is none; the message lists those that are.
+[[nodiscard]] ExportFormat export_format(std::string_view name);
+/// True for formats in longitude and latitude.
+[[nodiscard]] bool is_geographic(ExportFormat format);
+
+struct ExportOptions {
+  std::vector<ExportFormat> formats;
+  /// How far the path of an exported route may lie from the planned one; at least kLeastToleranceM.
+  double tolerance_m = 0.10;
+  /// The most items of a mission, home included; longer ones are cut into parts. 0: one file.
+  std::size_t mission_items = 0;
+};
+/// Files hold millimetres.
+inline constexpr double kLeastToleranceM = 0.001;
+
+/// A route and what its coordinates are.
+struct PlacedRoute {
+  Route route;
+  Frame frame;
+  const AreaQuery* water = nullptr;  ///< which exported paths leave no more than the route does
+};
+
+/// What was written for one format.
+struct ExportedRoute {
+  ExportFormat format;
+  std::vector<std::filesystem::path> files;
+  std::size_t waypoints, of;  ///< kept, of so many of the planned route
+  double largest_distance_m;  ///< bounds the distance between exported and planned path; measured
+  std::vector<std::string> warnings;  ///< one sentence each, for people
+};
+
+/// @throws UsageError that names the option, its value and the rule.
+void check(const ExportOptions& options);
+/// @throws InvalidInput if a format is in longitude and latitude and the frame has no CRS.
+void check_export_crs(const std::vector<ExportFormat>& formats, const Frame& frame);
+
+/// Writes the route as `stem.FORMAT` into `folder`: formats in longitude and latitude from
+/// `geographic`, those in the coordinates of the input file from `planar`; the two are one route.
+/// @throws InvalidInput as check_export_crs does, or if a route is not valid or a file cannot be
+///   written.
+[[nodiscard]] std::vector<ExportedRoute> export_route(const std::filesystem::path& folder,
+                                                      const std::string& stem,
+                                                      const PlacedRoute& geographic,
+                                                      const PlacedRoute& planar,
+                                                      const ExportOptions& options);
+
+/// Removes what export_route wrote earlier under that name in these formats, so that nobody sails
+/// an older route or parts of one.
+void remove_exports(const std::filesystem::path& folder, const std::string& stem,
+                    const std::vector<ExportFormat>& formats);
+
+}  // namespace swathplan

@@ -1,0 +1,60 @@
+#include "io/exports/survey_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace swathplan {
+namespace {
+
+bool surveys(const Waypoint& w) {
+  return w.kind == LegKind::line || w.kind == LegKind::cross || w.kind == LegKind::infill;
+}
+
+int largest_number(const Route& route) {
+  int largest = 0;
+  for (const Waypoint& w : route.waypoints) largest = std::max(largest, w.line.value_or(0));
+  return largest;
+}
+
+}  // namespace
+
+std::vector<SurveyRun> survey_runs(const Route& route) {
+  const auto& w = route.waypoints;
+  std::vector<SurveyRun> runs;
+  std::map<int, int> stretches;
+  int unnumbered = largest_number(route);
+  for (std::size_t first = 0; first + 1 < w.size();) {
+    std::size_t last = first + 1;
+    while (last + 1 < w.size() && w[last].kind == w[first].kind && w[last].line == w[first].line) {
+      ++last;
+    }
+    if (surveys(w[first])) {
+      const int number = w[first].line ? *w[first].line : ++unnumbered;
+      const int stretch = ++stretches[number];
+      runs.push_back(
+          {first, last,
+           stretch == 1 ? std::to_string(number) : fmt::format("{}_{}", number, stretch)});
+    }
+    first = last;
+  }
+  return runs;
+}
+
+std::vector<std::string> waypoint_names(const Route& route) {
+  std::vector<std::string> names(route.waypoints.size());
+  const auto add = [&](std::size_t i, const std::string& name) {
+    names[i] += (names[i].empty() ? "" : ", ") + name;
+  };
+  for (const SurveyRun& run : survey_runs(route)) {
+    add(run.first, fmt::format("line {} start", run.name));
+    add(run.last, fmt::format("line {} end", run.name));
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].empty()) names[i] = std::to_string(i + 1);
+  }
+  return names;
+}
+
+}  // namespace swathplan

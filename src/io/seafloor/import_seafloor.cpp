@@ -1,0 +1,303 @@
+#include "io/seafloor/import_seafloor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+
+#include "io/files/crs.h"
+#include "io/files/file_hash.h"
+#include "io/files/text_fields.h"
+#include "io/seafloor/grid_import.h"
+#include "io/seafloor/mesh_import.h"
+#include "io/seafloor/soundings_import.h"
+#include "mesh/base/error.h"
+#include "mesh/water_level.h"
+
+namespace swathplan {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Below this a local file keeps its own origin: 32-bit floats still resolve a millimetre there.
+constexpr double kLargestLocalCoordinate = 1e4;
+/// Nodes closer than this (units) and deeper than the whole extent is wide: those are degrees.
+constexpr double kFinestSpacing = 0.02;
+constexpr double kMetresPerDegree = 111'320.0;
+constexpr double kLossyStep = 1e-3;
+
+void check_options(const ImportOptions& options) {
+  const auto positive = [](const char* name, double value) {
+    if (!(value > 0.0) || !std::isfinite(value)) {
+      throw UsageError(fmt::format("{} = {}; must be a finite number > 0", name, value));
+    }
+  };
+  positive("--z-unit", options.z_unit_m);
+  if (options.xy_unit_m) positive("--xy-unit", *options.xy_unit_m);
+  if (options.longest_edge_m) positive("--longest-edge", *options.longest_edge_m);
+  if (!std::isfinite(options.water_level_m)) {
+    throw UsageError(
+        fmt::format("--water-level = {}; must be a finite number", options.water_level_m));
+  }
+}
+
+void check_file(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) {
+    throw InvalidInput(
+        fmt::format("'{}' does not exist; check the name and the folder", path.string()));
+  }
+  if (fs::is_directory(status)) {
+    throw InvalidInput(
+        fmt::format("'{}' is a folder; name the seafloor file in it", path.string()));
+  }
+  if (fs::file_size(path, error) == 0 && !error) {
+    throw InvalidInput(fmt::format("'{}' is empty", path.string()));
+  }
+}
+
+bool starts_like_text(const fs::path& path, std::string_view word) {
+  std::array<char, 512> head{};
+  std::ifstream in(path, std::ios::binary);
+  in.read(head.data(), head.size());
+  const std::string_view text(head.data(), static_cast<std::size_t>(in.gcount()));
+  if (!word.empty()) return lower(trim(text)).starts_with(word);
+  return std::none_of(text.begin(), text.end(), [](char c) {
+    return (c >= 0 && c < ' ' && c != '\n' && c != '\r' && c != '\t' && c != '\f') || c == 127;
+  });
+}
+
+std::string kind_of(const fs::path& path) {
+  const std::string extension = lower(path.extension().string());
+  if (is_mesh_extension(extension)) return "mesh";
+  constexpr std::array kSoundings = {".xyz", ".csv", ".txt", ".pts", ".dat"};
+  const bool rows = std::find(kSoundings.begin(), kSoundings.end(), extension) != kSoundings.end();
+  const bool is_text = starts_like_text(path, "");
+  const bool esri_grid = starts_like_text(path, "ncols");
+  if (rows && is_text && !esri_grid) return "soundings";
+  if (esri_grid || is_grid(path)) return "grid";
+  if (is_text) return "soundings";
+  throw InvalidInput(fmt::format(
+      "'{}' is neither a mesh (OBJ, PLY, OFF, STL, glTF, COLLADA), a grid that GDAL reads (Esri "
+      "ASCII, GeoTIFF, BAG) nor soundings (XYZ, CSV); it may be truncated or garbled",
+      path.string()));
+}
+
+SurfaceData read(const fs::path& path, const std::string& kind, const ImportOptions& options) {
+  if (kind == "mesh") return read_mesh(path);
+  if (kind == "grid") return read_grid(path, options.nodata);
+  return read_soundings(path, options.z_positive == ImportOptions::ZPositive::down, options.nodata);
+}
+
+void note_extent(const SurfaceData& data, ImportedSeafloor& result) {
+  Vec3 low = data.vertices.front();
+  Vec3 high = low;
+  for (const Vec3& v : data.vertices) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  result.nodes = data.vertices.size();
+  result.raw_min = low.head<2>();
+  result.raw_max = high.head<2>();
+  result.raw_z_min = low.z();
+  result.raw_z_max = high.z();
+}
+
+bool fits_degrees(const ImportedSeafloor& r) {
+  return r.raw_min.x() >= -360.0 && r.raw_max.x() <= 360.0 && r.raw_min.y() >= -90.0 &&
+         r.raw_max.y() <= 90.0;
+}
+
+/// Nodes a few hundredths of a unit apart: too fine for metres.
+bool is_finer_than_metres(const SurfaceData& data, const ImportedSeafloor& r) {
+  const Vec2 size = r.raw_max - r.raw_min;
+  const double spacing =
+      data.spacing > 0.0 ? data.spacing
+                         : size.maxCoeff() / std::sqrt(static_cast<double>(data.vertices.size()));
+  return spacing < kFinestSpacing;
+}
+
+/// The CRS to use; refuses degrees that pose as metres and the other way round.
+std::string choose_crs(const SurfaceData& data, const ImportOptions& options,
+                       const ImportedSeafloor& r) {
+  std::string crs = options.crs.empty() ? data.crs_wkt : parse_crs(options.crs);
+  const double highest = std::max(std::abs(r.raw_z_min), std::abs(r.raw_z_max));
+  const bool fine = fits_degrees(r) && is_finer_than_metres(data, r) && !options.xy_unit_m;
+  const std::string extent = fmt::format("x {:.7g} to {:.7g}, y {:.7g} to {:.7g}", r.raw_min.x(),
+                                         r.raw_max.x(), r.raw_min.y(), r.raw_max.y());
+  if (crs.empty() && fine && highest > (r.raw_max - r.raw_min).norm()) {
+    throw InvalidInput(fmt::format(
+        "the coordinates of '{}' look like degrees ({}), but no coordinate reference system says "
+        "so; add --crs EPSG:4326 (or --xy-unit 1 if they are metres)",
+        r.file, extent));
+  }
+  if (is_projected(crs) && fine) {
+    throw InvalidInput(fmt::format(
+        "the coordinates of '{}' look like degrees ({}), but {} is in metres or feet; give "
+        "--crs EPSG:4326",
+        r.file, extent, crs_name(crs)));
+  }
+  if (is_geographic(crs) && !fits_degrees(r)) {
+    throw InvalidInput(fmt::format(
+        "the coordinates of '{}' ({}) are no degrees, but {} is in degrees; give the projected "
+        "reference system with --crs EPSG:n",
+        r.file, extent, crs_name(crs)));
+  }
+  if (is_geographic(crs) && options.xy_unit_m) {
+    throw UsageError(
+        fmt::format("--xy-unit does not go with {}, which is in degrees", crs_name(crs)));
+  }
+  return crs;
+}
+
+/// Degrees -> the UTM zone of the middle of the data.
+std::string project(SurfaceData& data, const std::string& crs, const ImportedSeafloor& r) {
+  const Vec2 middle = CrsTransform(crs, wgs84_crs())(0.5 * (r.raw_min + r.raw_max));
+  std::string utm = utm_crs(middle.x(), middle.y());
+  std::vector<Vec2> places;
+  places.reserve(data.vertices.size());
+  for (const Vec3& v : data.vertices) places.emplace_back(v.head<2>());
+  places = CrsTransform(crs, utm)(places);
+  for (std::size_t i = 0; i < places.size(); ++i) data.vertices[i].head<2>() = places[i];
+  data.spacing *= kMetresPerDegree * std::sqrt(std::cos(Angle::degrees(middle.y()).rad()));
+  data.notes.push_back(
+      fmt::format("degrees of {} were projected to {}", crs_name(crs), crs_name(utm)));
+  return utm;
+}
+
+Frame choose_frame(const SurfaceData& data, const std::string& crs, const ImportOptions& options) {
+  Frame frame;
+  frame.crs_wkt = crs;
+  frame.metres_per_unit = options.xy_unit_m.value_or(metres_per_unit(crs));
+  Vec2 low = data.vertices.front().head<2>();
+  double largest = 0.0;
+  for (const Vec3& v : data.vertices) {
+    low = low.cwiseMin(v.head<2>());
+    largest = std::max(largest, v.head<2>().cwiseAbs().maxCoeff());
+  }
+  if (largest >= kLargestLocalCoordinate) frame.origin = low.array().floor();
+  return frame;
+}
+
+Seafloor place(SurfaceData& data, const Frame& frame, const ImportOptions& options) {
+  const bool down = options.z_positive == ImportOptions::ZPositive::down || data.z_is_depth;
+  const double unit = down ? -options.z_unit_m : options.z_unit_m;
+  Seafloor seafloor;
+  seafloor.frame = frame;
+  seafloor.vertices = std::move(data.vertices);
+  for (Vec3& v : seafloor.vertices) {
+    v.head<2>() = frame.to_local(v.head<2>()).eval();
+    v.z() = v.z() * unit - options.water_level_m;
+  }
+  seafloor.faces = std::move(data.faces);
+  return seafloor;
+}
+
+void clip_land(Seafloor& seafloor, ImportedSeafloor& result) {
+  const double whole = plan_area_m2(seafloor);
+  seafloor = below_level(seafloor, 0.0);
+  const bool any_water = std::any_of(seafloor.vertices.begin(), seafloor.vertices.end(),
+                                     [](const Vec3& v) { return v.z() < 0.0; });
+  if (!any_water) {
+    throw InvalidInput(fmt::format(
+        "everything in '{}' lies above the water level (z from {:.6g} to {:.6g}); if these are "
+        "depths, positive down, add --z-positive down; else give the level with --water-level",
+        result.file, result.raw_z_min, result.raw_z_max));
+  }
+  result.land_share = whole > 0.0 ? std::clamp(1.0 - plan_area_m2(seafloor) / whole, 0.0, 1.0) : 0.0;
+  if (result.land_share > 1e-9) {
+    result.notes.push_back(
+        fmt::format("{:.3g} % of the area lies above the water level: land, "
+                    "clipped away",
+                    100.0 * result.land_share));
+  }
+}
+
+void mend(Seafloor& seafloor, bool is_clean, ImportedSeafloor& result) {
+  if (is_clean) {
+    clip_land(seafloor, result);
+    result.health = assess(seafloor);
+    return;
+  }
+  try {
+    RepairedSeafloor repaired = repair(std::move(seafloor));
+    seafloor = std::move(repaired.seafloor);
+    result.health = std::move(repaired.health);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("'{}': {}", result.file, error.what()));
+  }
+  clip_land(seafloor, result);
+  const MeshHealth after = assess(seafloor);
+  result.health.vertices = after.vertices;
+  result.health.faces = after.faces;
+  result.health.components = after.components;
+  result.health.boundary_loops = after.boundary_loops;
+  result.health.vertical_faces = after.vertical_faces;
+  result.notes.insert(result.notes.end(), result.health.notes.begin(), result.health.notes.end());
+}
+
+void join(SurfaceData& data, const Frame& frame, const ImportOptions& options,
+          ImportedSeafloor& result) {
+  std::optional<double> limit = options.longest_edge_m;
+  if (limit) *limit /= frame.metres_per_unit;
+  try {
+    result.longest_edge_m = join_soundings(data, limit) * frame.metres_per_unit;
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("'{}': {}", result.file, error.what()));
+  }
+  result.notes.push_back(fmt::format(
+      "soundings joined to triangles with edges up to {:.4g} m{}", result.longest_edge_m,
+      limit ? "" : " (from their spacing; set another with --longest-edge)"));
+}
+
+void add_unit_warnings(const SurfaceData& data, const Frame& frame, const ImportOptions& options,
+                       ImportedSeafloor& result) {
+  if (frame.metres_per_unit != 1.0 && options.z_unit_m == 1.0) {
+    result.warnings.push_back(fmt::format(
+        "horizontal units are {:.7g} m, but z is taken as metres; set --z-unit if depths are in "
+        "feet",
+        frame.metres_per_unit));
+  }
+  if (data.float_step * frame.metres_per_unit > kLossyStep) {
+    result.notes.push_back(fmt::format(
+        "{} holds 32-bit floats, which resolve only {:.2g} m at these coordinates; export local "
+        "coordinates or a double-precision format",
+        data.format, data.float_step * frame.metres_per_unit));
+  }
+}
+
+}  // namespace
+
+ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& options) {
+  check_options(options);
+  check_file(path);
+  ImportedSeafloor result;
+  result.file = path.string();
+  result.input_hash = file_hash(path);
+  result.kind = kind_of(path);
+  SurfaceData data = read(path, result.kind, options);
+  result.format = data.format;
+  note_extent(data, result);
+  std::string crs = choose_crs(data, options, result);
+  if (is_geographic(crs)) crs = project(data, crs, result);
+  const Frame frame = choose_frame(data, crs, options);
+  result.crs_name = crs_name(crs);
+  if (data.faces.empty()) join(data, frame, options, result);
+  result.spacing_m = data.spacing * frame.metres_per_unit;
+  add_unit_warnings(data, frame, options, result);
+  result.notes.insert(result.notes.begin(), data.notes.begin(), data.notes.end());
+  result.warnings.insert(result.warnings.begin(), data.warnings.begin(), data.warnings.end());
+  const bool is_clean = data.is_clean;
+  result.seafloor = place(data, frame, options);
+  mend(result.seafloor, is_clean, result);
+  if (result.spacing_m == 0.0) {
+    result.spacing_m = std::sqrt(2.0 * plan_area_m2(result.seafloor) /
+                                 static_cast<double>(result.seafloor.faces.size()));
+  }
+  return result;
+}
+
+}  // namespace swathplan

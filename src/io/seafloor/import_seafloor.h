@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/repair/mesh_repair.h"
+#include "mesh/seafloor.h"
+
+namespace swathplan {
+
+/// How to read a seafloor file where the file does not say, or says it wrongly.
+struct ImportOptions {
+  std::string crs = {};        ///< 'EPSG:n' or WKT, overrides the file's own; empty: the file's own
+  double water_level_m = 0.0;  ///< height of still water in the file's vertical datum, z up
+  enum class ZPositive { up, down } z_positive = ZPositive::up;
+  double z_unit_m = 1.0;                 ///< metres in one vertical unit, > 0
+  std::optional<double> xy_unit_m = {};  ///< metres in one horizontal unit, > 0; empty: the CRS's
+  std::optional<double> longest_edge_m =
+      {};                             ///< soundings: triangles with a longer edge are left out
+  std::optional<double> nodata = {};  ///< a further z value (file units) that means 'no data'
+};
+
+/// A seafloor in its local frame and what was found on the way.
+struct ImportedSeafloor {
+  Seafloor seafloor;
+  MeshHealth health;
+  std::string file;        ///< as it was given
+  std::string kind;        ///< 'mesh', 'grid' or 'soundings'
+  std::string format;      ///< 'OBJ', 'GTiff', 'CSV', ...
+  std::string crs_name;    ///< 'EPSG:32633 (WGS 84 / UTM zone 33N)'; 'none'
+  std::string input_hash;  ///< 'sha1:...' of the file's bytes
+  std::size_t nodes = 0;   ///< vertices, valid cells or distinct soundings of the file
+  Vec2 raw_min = Vec2::Zero(), raw_max = Vec2::Zero();  ///< extent in the file's own units
+  double raw_z_min = 0.0, raw_z_max = 0.0;              ///< in the file's own units and sense
+  double spacing_m = 0.0;       ///< typical distance between neighbouring nodes
+  double land_share = 0.0;      ///< share of the plan area above the water, clipped; [0, 1]
+  double longest_edge_m = 0.0;  ///< soundings: the limit that was used; else 0
+  std::vector<std::string> notes, warnings;  ///< one sentence each
+};
+
+/// Reads a triangle mesh (OBJ, PLY, OFF, STL, glTF, COLLADA, ...), a grid (Esri ASCII, GeoTIFF,
+/// BAG, ...) or soundings (XYZ, CSV) into the local frame, clipped at the water level.
+/// Guarantees: (1) the invariants of `Seafloor`; (2) where the file holds doubles and nothing is
+/// reprojected or scaled, `frame.to_file` of a kept vertex gives the file's coordinates exactly;
+/// (3) the local origin is whole file units, and 0 where all coordinates are under 10,000.
+/// @throws InvalidInput naming the file and what is wrong; UsageError for an option out of range.
+[[nodiscard]] ImportedSeafloor import_seafloor(const std::filesystem::path& path,
+                                               const ImportOptions& options = {});
+
+}  // namespace swathplan

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "io/seafloor/import_seafloor.h"
+
+namespace swathplan {
+
+/// Settings to begin with, derived from the depths.
+struct SuggestedSettings {
+  double resolution_m = 0.1;  ///< cell that a 256-beam fan fills without gaps at the mean depth
+  double swath_m = 25.6;      ///< width of the strip that one line sweeps
+  int depth_bands = 1;
+  double safe_depth_m = 1.0;  ///< shoalest depth to plan in
+  std::size_t lines = 1;      ///< parallel lines, roughly
+  double line_km = 0.0;       ///< their length together, roughly
+};
+[[nodiscard]] SuggestedSettings suggest_settings(const Seafloor& seafloor);
+
+/// Warnings about data that look as if an option were missing or the mesh were unfit: depths that
+/// look like another unit, several components, non-manifold edges, hardly any relief, very large.
+[[nodiscard]] std::vector<std::string> warnings_of(const ImportedSeafloor& imported);
+
+/// What `swathplan inspect` prints: a text for people, or the same as JSON.
+[[nodiscard]] std::string inspection_text(const ImportedSeafloor& imported);
+[[nodiscard]] nlohmann::json inspection_json(const ImportedSeafloor& imported);
+
+}  // namespace swathplan

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "mesh/base/error.h"
+
+// How rules of options are checked: the message names option, value and rule.
+namespace swathplan {
+
+/// @throws UsageError 'name = value; must be rule' unless it holds.
+inline void require(bool holds, const char* name, double value, const char* rule) {
+  if (!holds) throw UsageError(fmt::format("{} = {}; must be {}", name, value, rule));
+}
+
+/// @throws UsageError unless `value` is a finite number above 0.
+inline void require_positive(const char* name, double value) {
+  require(value > 0.0 && std::isfinite(value), name, value, "a finite number above 0");
+}
+
+}  // namespace swathplan

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "mesh/base/frame.h"
+
+namespace swathplan {
+
+/// Axis-aligned extent in the horizontal plane, metres.
+struct Box2 {
+  Vec2 min = Vec2::Constant(1e300);
+  Vec2 max = Vec2::Constant(-1e300);
+  void extend(const Vec2& p) {
+    min = min.cwiseMin(p);
+    max = max.cwiseMax(p);
+  }
+  [[nodiscard]] bool empty() const { return min.x() > max.x(); }
+  [[nodiscard]] Vec2 size() const { return max - min; }
+};
+
+}  // namespace swathplan

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "planners/adaptive/intervals.h"
+#include "planners/adaptive/survey_track.h"
+
+namespace swathplan {
+
+/// Which rule lays the next track.
+enum class AccordionRule {
+  basic,   ///< the published algorithm: always hope for an empty strip
+  bounded  ///< skips a track only while the worst that can follow stays within one track of the
+           ///< overlapping lawnmower, and while skipping pays on average
+};
+
+struct AccordionOptions {
+  double width_m = 0.0;      ///< of the area, across the tracks, > 0
+  double length_m = 0.0;     ///< of a track, > 0
+  double spacing_m = 50.0;   ///< strip width W: tracks lie W or 2 W apart, > 0
+  double nadir_gap_m = 0.0;  ///< half-width of the blind strip below the sonar, [0, spacing_m)
+  double threshold = 0.5;    ///< a cost above it is an object of interest, >= 0
+  AccordionRule rule = AccordionRule::basic;
+  /// How far an object may lie from where the cost map shows it, >= 0. The bounded rule, which lays
+  /// tracks by the objects' places, stays so far clear of the limits of its looks.
+  double clearance_m = 0.0;
+};
+/// @throws UsageError if an option breaks its rule; the message names it.
+void check(const AccordionOptions& options);
+
+/// Sonar range that the spacing needs: W + nadir gap, so that a neighbour sees below a track.
+[[nodiscard]] double sonar_range_m(const AccordionOptions& options);
+
+/// Cost map of one side of a track: rows along the track, columns from the track outwards, the
+/// first one at `first_m` and each `step_m` wide. Costs are finite and >= 0.
+struct CostMap {
+  int rows = 0, columns = 0;
+  double first_m = 0.0, step_m = 1.0;
+  std::vector<float> values;  ///< rows x columns, row by row
+
+  /// Index of a value; rows x columns is index(rows, 0).
+  [[nodiscard]] std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
+};
+/// What a finished track saw towards the start (`back`) and towards the far edge (`ahead`).
+struct AccordionObservation {
+  CostMap back, ahead;
+};
+
+/// Plain data; starts as start_accordion(options).
+struct AccordionState {
+  AccordionOptions options;
+  std::vector<SurveyTrack> sailed;
+  IntervalSet seen_from_below;    ///< looked at from a smaller `across_m`
+  IntervalSet seen_from_above;    ///< looked at from a larger `across_m`
+  std::vector<Interval> pending;  ///< objects that still lack a look, across axis
+  double front_m = 0.0;           ///< farthest track so far
+  double sailed_m = 0.0;          ///< tracks and connectors, from the start corner
+  // What the bounded rule estimates its chances from.
+  int strips_seen = 0, strips_with_objects = 0;  ///< first looks at a strip
+  int loops = 0;                                 ///< times it went back
+  double loops_m = 0.0;                          ///< way there and back, without the tracks
+};
+
+[[nodiscard]] AccordionState start_accordion(const AccordionOptions& options);
+
+/// The next track; empty when the area is done: all of it seen, every object from both sides.
+/// Tracks alternate in direction. Same state, same track.
+[[nodiscard]] std::optional<SurveyTrack> next_track(const AccordionState& state);
+
+/// The state after `track` was sailed. Guarantee: only next_track(state) is taken.
+/// @throws InvalidInput if that is not the track, or a cost map has the wrong size, does not reach
+/// the sonar range, or holds a NaN, infinite or negative cost.
+[[nodiscard]] AccordionState observe(AccordionState state, const SurveyTrack& track,
+                                     const AccordionObservation& observation);
+
+/// The overlapping lawnmower (CL-CPP): tracks at 0, W, 2 W, ... and at the far edge.
+[[nodiscard]] std::vector<SurveyTrack> overlapping_lawnmower(double width_m, double spacing_m);
+
+/// The accordion's mean improvement on the lawnmower in percent, as the paper fitted it (its
+/// eq. 4); `alpha` = W / length, `p_obj_pct` in [0, 100].
+[[nodiscard]] double published_improvement_pct(double alpha, double p_obj_pct);
+
+}  // namespace swathplan

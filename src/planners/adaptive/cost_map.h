@@ -1,0 +1,36 @@
+#pragma once
+
+#include "coverage/side_scan.h"
+#include "planners/adaptive/accordion.h"
+
+namespace swathplan {
+
+/// How a side-scan image becomes a cost map.
+struct CostMapOptions {
+  double window_m = 1.5;      ///< side of the square over which intensity is compared, > 0
+  double smallest_m2 = 0.15;  ///< smallest patch above the threshold that counts, >= 0
+  double threshold = 0.5;     ///< the accordion's, by which such patches are found, > 0
+  double row_m = 5.0;         ///< along-track length of a row of the cost map, > 0
+};
+
+/// Cost maps of both sides from an image: local variation of the intensity (standard deviation over
+/// mean in a window, OpenCV box filters), after each side is levelled to the mean return of its
+/// range, so that range and grazing angle leave no trend. A cost tells how far the variation stands
+/// out of its surroundings (12 m around), since facets, ripples and speckle vary everywhere: 0 is
+/// no more than usual, 1 five times as much. Patches too small for an object are wiped. Rows of the
+/// cost map hold the largest cost of the pixels in them. Columns keep the image's across-track
+/// pixels; those without data cost 0. `back` is the side that looks back, see port_looks_back().
+/// @throws InvalidInput if the image has no pixels or its sizes do not fit.
+[[nodiscard]] AccordionObservation cost_maps(const SideScanImage& image, bool port_looks_back,
+                                             const CostMapOptions& options);
+
+/// The middle of the cost maps, from what a multibeam sonar saw in the nadir gap: height above the
+/// bottom's local mean, 0.35 m giving a cost of 1. Larger costs win.
+void fill_nadir(AccordionObservation& observation, const NadirHeights& heights,
+                bool port_looks_back, const CostMapOptions& options);
+
+/// The cost map of one side before rows are gathered: rows x columns as the image.
+[[nodiscard]] std::vector<float> pixel_costs(const SideScanImage& image, bool port,
+                                             const CostMapOptions& options);
+
+}  // namespace swathplan

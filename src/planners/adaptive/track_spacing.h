@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "planners/adaptive/detection_curve.h"
+#include "planners/adaptive/survey_track.h"
+
+namespace swathplan {
+
+struct TrackSpacingOptions {
+  double width_m = 1212.0;  ///< of the area, across the tracks
+  double length_m = 400.0;  ///< of a track
+  double range_m = 145.0;   ///< r: largest range believed good before there is data
+  double nadir_m = 40.0;    ///< r_n: half-width of the blind strip below the sonar, > 0
+  double threshold = 0.05;  ///< smallest P(y) of good data, (0, 1)
+  bool adapt = true;        ///< false: the control, which keeps `range_m` throughout
+  /// Ours, beyond the paper: a pair's second track is laid by what its first one saw, and spare
+  /// width of the plan goes to the start edge, where the range is known least.
+  bool careful = true;
+};
+/// @throws UsageError if an option breaks its rule, among them range_m >= 3 nadir_m; names it.
+void check(const TrackSpacingOptions& options);
+
+/// Tracks that cover `width_m` with range r: pairs r - r_n apart cover 3 r - r_n; the last track
+/// may be a single one, which has to cover no more than r - r_n.
+[[nodiscard]] int tracks_needed(double width_m, double range_m, double nadir_m);
+/// Polygon adaptation: the smallest range in [3 r_n, largest], in steps of a metre (and `largest`
+/// itself), that needs the fewest tracks.
+[[nodiscard]] double adapted_range_m(double width_m, double largest_m, double nadir_m);
+
+/// Plain data; starts as start_spacing(options).
+struct TrackSpacingState {
+  TrackSpacingOptions options;
+  std::vector<SurveyTrack> sailed;
+  std::vector<double> ranges_m;  ///< adapted range in force for each track sailed
+  double good_range_m = 0.0;     ///< largest range now believed good
+  double range_m = 0.0;          ///< adapted range of the pair that is being sailed
+  double edge_m = 0.0;           ///< everything below it counts as covered
+  double spare_m = 0.0;          ///< how far the pair was moved towards the start
+  bool single = false;           ///< the pair is a single last track
+  int in_pair = 0;               ///< tracks of the pair that are sailed
+  /// Data was good to less than 3 r_n: paired tracks cannot close their nadir gaps any more; the
+  /// survey goes on at 3 r_n and leaves gaps.
+  bool range_too_short = false;
+};
+[[nodiscard]] TrackSpacingState start_spacing(const TrackSpacingOptions& options);
+
+/// The next track, which may lie outside the area by up to r; empty when the area is done.
+[[nodiscard]] std::optional<SurveyTrack> next_track(const TrackSpacingState& state);
+
+/// The state after `track` was sailed and `curve` estimated from its data. The control looks at
+/// the curve's validity only.
+/// @throws InvalidInput if that track is not next_track(state), or the curve is not valid.
+[[nodiscard]] TrackSpacingState observe(TrackSpacingState state, const SurveyTrack& track,
+                                        const DetectionCurve& curve);
+
+}  // namespace swathplan

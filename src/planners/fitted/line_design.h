@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "planners/fronts/swept_lines.h"
+
+namespace swathplan {
+
+enum class LineMethod {
+  back_and_forth,  ///< straight, evenly spaced along the area's long side
+  straight,        ///< straight, closer where W is less
+  field,           ///< level sets of fronts, with closing passes where fronts meet
+  edge_following,  ///< each along the edge of the swath before it
+  automatic        ///< the shortest of straight and field lines
+};
+
+struct LineDesignOptions {
+  LineMethod method = LineMethod::automatic;
+  double overlap = 0.0;       ///< of its swath that a line shares with its neighbour, [0, 0.4]
+  double most_missed = 5e-4;  ///< share of the area, (0, 1)
+  std::optional<Angle> heading = {};  ///< of straight lines; empty: searched
+};
+
+/// A seafloor at one fineness, as lines of one opening see it.
+struct DesignGround {
+  /// `opening`: full fan, (0, 180) degrees; the sonar hangs at `draft_m`.
+  DesignGround(const PlanningGround& planning, Angle opening, double draft_m, double most_cells);
+  DesignGround(const DesignGround&) = delete;
+  DesignGround& operator=(const DesignGround&) = delete;
+
+  WaterRaster raster;
+  std::vector<float> width;
+  SweptGround swaths;
+};
+inline constexpr double kSearchCells = 4e5, kJudgeCells = 1.6e6;
+
+/// @throws UsageError that names the option, its value and the rule.
+void check(const LineDesignOptions& options);
+
+struct DesignedLines {
+  std::vector<SweptLine> lines;
+  LinesFigures figures;
+  std::size_t passes = 0;  ///< of the lines, short ones that close gaps
+  std::string what;        ///< how the lines came about
+};
+
+/// The shortest lines found that miss no more than `most_missed` of the survey area, turns left
+/// out: for open water, where turns are few. Swaths are followed without rays; candidates are
+/// compared on `search`, the best are laid anew and judged on `judge`, whose cells are smaller.
+/// Lines may run on into the water beyond the survey area where that sweeps more of it.
+/// Where no lines of the method miss so little: those that miss least.
+/// @throws UsageError for options out of range; InvalidInput where no line fits.
+[[nodiscard]] DesignedLines design_lines(const PlanningGround& planning, const DesignGround& search,
+                                         const DesignGround& judge,
+                                         const LineDesignOptions& options);
+
+/// The lines in an order that keeps the way between them short (line_order.h), joined by straight
+/// transits with the sonar off: for charts and for planners that steer. Not steered, not kept off
+/// land.
+[[nodiscard]] Route route_of(const DesignedLines& designed, const Area& water, Angle opening,
+                             const Vehicle& vehicle);
+
+}  // namespace swathplan

@@ -1,0 +1,169 @@
+#include "planners/fitted/line_workshop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planners/fronts/field_lines.h"
+
+namespace swathplan {
+
+LineWorkshop::LineWorkshop(const PlanningGround& ground, const PlanOptions& options)
+    : ground_(ground),
+      options_(options),
+      with_arcs_(options),
+      raster_(ground),
+      survey_area_(ground.survey_area),
+      lines_in_(offset(ground.water, -kLineClearance)),
+      joins_(ground.water, options.vehicle.turn_radius_m) {
+  with_arcs_.smooth.reset();
+}
+
+const std::vector<float>& LineWorkshop::width(double gap) {
+  auto [it, fresh] = widths_.try_emplace(gap);
+  if (fresh) it->second = width_field(raster_, options_, gap);
+  return it->second;
+}
+
+double LineWorkshop::price() {
+  // Fans a little wider than without gaps, as candidates have them.
+  constexpr double kGap = 1.2;
+  const double ideal = area_m2(ground_.survey_area) / footprint_width_m(options_);
+  return worth_per_ratio(least_line_m(raster_, width(kGap)) / ideal);
+}
+
+LineEnds ends_of(const std::vector<Waypoint>& line) {
+  LineEnds ends;
+  ends.from = line.front().position;
+  ends.to = line.back().position;
+  ends.course_from = (line[1].position - ends.from).normalized();
+  ends.course_to = (ends.to - line[line.size() - 2].position).normalized();
+  return ends;
+}
+
+std::vector<Waypoint> backwards(const std::vector<Waypoint>& line) {
+  std::vector<Waypoint> result(line.rbegin(), line.rend());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    // What held from waypoint k to k + 1 now holds from k + 1 to k.
+    const std::size_t from = i + 1 < result.size() ? i + 1 : i;
+    const Vec2 position = result[i].position;
+    result[i] = line[line.size() - 1 - from];
+    result[i].position = position;
+    if (result[i].fan) std::swap(result[i].fan->port, result[i].fan->starboard);
+  }
+  return result;
+}
+
+std::vector<std::vector<Waypoint>> LineWorkshop::sailed(const std::vector<SurveyCurve>& lines,
+                                                        const std::vector<float>& width,
+                                                        const LineAnglesOptions& angles) const {
+  auto opened = opened_lines(lines, raster_, width, survey_area_, options_, angles);
+  std::erase_if(opened, [](const auto& line) { return line.size() < 2; });
+  std::vector<LineEnds> ends;
+  ends.reserve(opened.size());
+  for (const auto& line : opened) ends.push_back(ends_of(line));
+  std::vector<std::vector<Waypoint>> result;
+  int number = 1;
+  for (const OrderedLine& next : line_order(ends, joins_, options_.start)) {
+    result.push_back(next.backwards ? backwards(opened[next.line]) : opened[next.line]);
+    for (Waypoint& point : result.back()) point.line = number;
+    ++number;
+  }
+  return result;
+}
+
+BuiltRoute LineWorkshop::build(const std::vector<SurveyCurve>& lines,
+                               const std::vector<float>& width, const LineAnglesOptions& angles) {
+  return join(sailed(lines, width, angles));
+}
+
+Outcome LineWorkshop::estimate(const std::vector<SurveyCurve>& lines,
+                               const std::vector<float>& width, const LineAnglesOptions& angles,
+                               int coarse, std::string what) {
+  Route route;
+  double joins = 0.0;
+  for (const auto& line : sailed(lines, width, angles)) {
+    auto& w = route.waypoints;
+    const LineEnds here = ends_of(line);
+    if (!w.empty()) {
+      const Vec2 course = (w.back().position - w[w.size() - 2].position).normalized();
+      joins += joins_(w.back().position, course, here.from, here.course_from);
+      const double straight = (here.from - w.back().position).norm();
+      joins -= straight;
+      w.back().kind = LegKind::transit;
+      // A way that runs straight sounds about what the steered one will; what runs around something
+      // sounds elsewhere.
+      if (joins_.way(w.back().position, here.from) > straight) w.back().fan.reset();
+      w.back().line.reset();
+      w.back().log = false;
+    }
+    w.insert(w.end(), line.begin(), line.end());
+  }
+  if (route.waypoints.size() < 2) return {};
+  route.waypoints.back().kind = LegKind::end;
+  route.waypoints.back().log = false;
+  route.waypoints.back().line.reset();
+  Outcome outcome = judge(route, coarse, std::move(what));
+  outcome.length_ratio *= (outcome.length_m + joins) / outcome.length_m;
+  outcome.length_m += joins;
+  return outcome;
+}
+
+BuiltRoute LineWorkshop::join(const std::vector<std::vector<Waypoint>>& lines) const {
+  RouteBuilder builder(ground_, with_arcs_);
+  for (const auto& line : lines) builder.add_line(line);
+  return builder.built();
+}
+
+BuiltRoute LineWorkshop::finished(BuiltRoute built) const {
+  if (!options_.smooth) return built;
+  BuiltRoute smooth = rejoined(built.route, ground_, options_);
+  built.route = std::move(smooth.route);
+  for (std::string& note : smooth.notes) {
+    const bool known = std::find(built.notes.begin(), built.notes.end(), note) != built.notes.end();
+    if (!known) built.notes.push_back(std::move(note));
+  }
+  return built;
+}
+
+ScoredRoute LineWorkshop::score(const Route& route, int coarse, Swath swath) const {
+  const ScoringGround scoring{ground_.seafloor, ground_.depths, ground_.scene, ground_.survey_area,
+                              ground_.water};
+  ScoreOptions how;
+  how.resolution_m = coarse * options_.resolution_m;
+  how.ping_spacing_m = coarse * options_.ping_spacing_m;
+  how.holiday_m2 = 1e9;
+  how.footprint = options_.cover == Cover::footprint;
+  how.swath_share = swath == Swath::counted ? counted_share(options_) : 1.0;
+  how.noise = options_.noise;
+  how.threads = options_.threads;
+  Sonar sonar = options_.sonar;
+  sonar.beams = std::max(2, sonar.beams / coarse);
+  sonar.beam_width_along = Angle::radians(coarse * sonar.beam_width_along.rad());
+  sonar.beam_width_across = Angle::radians(coarse * sonar.beam_width_across.rad());
+  return swathplan::score(route, scoring, sonar, options_.vehicle, how);
+}
+
+double LineWorkshop::cover_pct(const Score& score) const {
+  return options_.cover == Cover::footprint ? score.all.footprint_pct.value_or(0.0)
+                                            : score.all.hit_pct;
+}
+
+bool LineWorkshop::covered(const CoverageGrid& grid, std::size_t i) const {
+  return options_.cover == Cover::footprint ? grid.footprint(i) : grid.soundings(i) > 0;
+}
+
+Outcome LineWorkshop::judge(const Route& route, int coarse, std::string what) const {
+  const Score score = this->score(route, coarse).score;
+  Outcome outcome;
+  outcome.length_m = score.route.length_m;
+  outcome.length_ratio = score.route.length_m * footprint_width_m(options_) / score.survey_area_m2;
+  outcome.cover = options_.cover;
+  outcome.cover_pct = cover_pct(score);
+  outcome.turns = score.route.turns;
+  outcome.duration_s = score.route.duration_s;
+  outcome.infeasible_legs = score.route.infeasible_legs;
+  outcome.what = std::move(what);
+  return outcome;
+}
+
+}  // namespace swathplan

@@ -1,0 +1,85 @@
+#include "planners/nuc/mesh_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "planners/simulated.h"
+
+namespace swathplan {
+namespace {
+
+/// Shares of W.
+constexpr std::array kTriangleSizes = {1.00, 0.95, 0.87, 0.80};
+constexpr std::array kQuadSizes = {kQuadSize, 0.60, 0.50};
+
+constexpr std::array kTriangleTurns_deg = {0.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0};
+constexpr std::array kQuadTurns_deg = {0.0, 30.0, 60.0, 90.0};
+
+struct Candidate {
+  double face_size;
+  double turn_deg;
+  Plan plan;
+  Outcome outcome;
+};
+
+/// The plain lattice first: it stays where nothing is better. A quarter turn of quads is the same
+/// lattice; but the path's long runs then go the other way.
+std::vector<Candidate> candidates(FaceShape faces) {
+  std::vector<Candidate> result;
+  const auto add = [&](const auto& sizes, const auto& turns_deg) {
+    for (const double size : sizes) {
+      for (const double turn : turns_deg) result.push_back({size, turn, {}, {}});
+    }
+  };
+  if (faces == FaceShape::quad) {
+    add(kQuadSizes, kQuadTurns_deg);
+  } else {
+    add(kTriangleSizes, kTriangleTurns_deg);
+  }
+  return result;
+}
+
+/// Points of coverage that one more ideal length must bring.
+double points_per_ratio(const std::vector<Candidate>& tried) {
+  std::vector<double> missed;
+  missed.reserve(tried.size());
+  for (const Candidate& c : tried) missed.push_back(100.0 - c.outcome.cover_pct);
+  const auto good = missed.begin() + static_cast<std::ptrdiff_t>(missed.size() / 4);
+  std::nth_element(missed.begin(), good, missed.end());
+  return kMissedPerRatio * *good;
+}
+
+}  // namespace
+
+Plan best_mesh_plan(const PlanningGround& ground, const PlanOptions& options,
+                    const std::function<Plan(PlanarMesh)>& plan_on) {
+  PlanarMesh plain = planning_mesh(ground, options);
+  if (options.face_size || ground.scene == nullptr || plain.faces.size() > kFewFaces) {
+    return plan_on(std::move(plain));
+  }
+  const Area area = reachable_area(ground);
+  std::vector<Candidate> tried = candidates(options.faces);
+  for (Candidate& c : tried) {
+    c.plan = plan_on(mesh_of(area, options, c.face_size * footprint_width_m(options),
+                             Angle::degrees(c.turn_deg)));
+    c.outcome = simulated_hits(c.plan.route, ground, options);
+  }
+  const double price = points_per_ratio(tried);
+  const auto worth = [&](const Candidate& c) {
+    return c.outcome.cover_pct - price * c.outcome.length_ratio;
+  };
+  const auto best =
+      std::max_element(tried.begin(), tried.end(),
+                       [&](const Candidate& a, const Candidate& b) { return worth(a) < worth(b); });
+  best->plan.notes.push_back(fmt::format(
+      "few faces fit the area: of {} meshes the simulator chose faces of {:.2f} W, the lattice "
+      "turned by {:.0f} degrees",
+      tried.size(), best->face_size, best->turn_deg));
+  return std::move(best->plan);
+}
+
+}  // namespace swathplan

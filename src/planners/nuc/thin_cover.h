@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "mesh/plane/polygons.h"
+#include "mesh/seafloor.h"
+#include "planners/plan.h"
+
+namespace swathplan {
+
+/// A smooth surrogate of the area that a path leaves empty, and where its points should move to
+/// leave less. With rho(x) the soundings per cell at x that the path gives (its fans laid over the
+/// seafloor, spread by a Gaussian of kSpreadM), about exp(-rho) of the cells there stay empty:
+/// E = integral of exp(-rho) over the survey area.
+/// Cost: O(points x kRays + area / kCellM^2).
+class ThinCover {
+ public:
+  /// The depths must outlive it.
+  ThinCover(const DepthQuery& depths, const Area& survey_area, const PlanOptions& options);
+
+  struct Pull {
+    std::vector<Vec2> down;  ///< -dE/dp of each point, square metres a metre
+    double empty_m2 = 0.0;   ///< E
+  };
+  /// `fans[i]` holds at point i.
+  [[nodiscard]] Pull pull(const std::vector<Vec2>& points,
+                          const std::vector<FanAngles>& fans) const;
+
+  static constexpr double kCellM = 0.8;
+  static constexpr double kSpreadM = 1.2;
+  static constexpr int kRays = 32;
+
+ private:
+  struct Ray {
+    double across_m;  // to port
+    Vec2 at;
+  };
+  [[nodiscard]] std::vector<Ray> rays(const Vec2& p, const Vec2& course,
+                                      const FanAngles& fan) const;
+  [[nodiscard]] std::vector<double> blurred(const std::vector<double>& field) const;
+  [[nodiscard]] std::ptrdiff_t index(int x, int y) const {
+    return static_cast<std::ptrdiff_t>(y) * width_ + x;
+  }
+
+  const DepthQuery& depths_;
+  double draft_m_, beams_, ping_spacing_m_, cell_area_m2_;
+  Vec2 corner_;
+  int width_, height_;
+  std::vector<char> wanted_;    // cells whose centre lies in the survey area
+  std::vector<double> kernel_;  // half of it, the middle first
+};
+
+}  // namespace swathplan

@@ -1,0 +1,99 @@
+#include "planners/rows/back_and_forth.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "planners/rows/row_order.h"
+#include "planners/rows/survey_lines.h"
+#include "planners/simulated.h"
+
+namespace swathplan {
+namespace {
+
+/// Shares of W that all rows are shifted by; centred rows first, which stay where none is better.
+constexpr std::array kShifts = {0.0, -0.0625, 0.0625, -0.125, 0.125, -0.1875, 0.1875, -0.25, 0.25};
+
+struct Rows {
+  Area area;
+  Angle azimuth;
+  FanAngles fan;
+};
+
+std::vector<SurveyLine> lines_of(const Rows& rows, const PlanOptions& options, double shift) {
+  const double width = footprint_width_m(options);
+  return parallel_lines(rows.area, {.azimuth = rows.azimuth,
+                                    .spacing_m = width,
+                                    .inset_m = kLineInset,
+                                    .shift_m = shift * width});
+}
+
+Plan sailed(const std::vector<SurveyLine>& lines, const Rows& rows, const PlanningGround& ground,
+            const PlanOptions& options) {
+  Plan plan;
+  plan.openings = {rows.fan.port + rows.fan.starboard};
+  const double radius = options.vehicle.turn_radius_m;
+  const JoinCost cost(ground.water, radius);
+  BuiltRoute built = shorter_order(options, [&](const RowOrder& order) {
+    RouteBuilder builder(ground, options);
+    int number = 1;
+    for (const SurveyLine& line : ordered(lines, order, cost, radius, options.start)) {
+      builder.add_line(line_waypoints(line, number++, rows.fan, options));
+    }
+    return builder.built();
+  });
+  plan.route = std::move(built.route);
+  plan.notes = std::move(built.notes);
+  if (options.opening == Opening::ping) plan.route = opened_per_ping(plan.route, ground, options);
+  return plan;
+}
+
+std::size_t infeasible_points(const Plan& plan) {
+  const auto& points = plan.route.waypoints;
+  return static_cast<std::size_t>(
+      std::count_if(points.begin(), points.end(), [](const Waypoint& w) { return !w.feasible; }));
+}
+
+/// Placements with joins that cannot be steered give way to the centred one.
+Plan best_placed(const Rows& rows, const PlanningGround& ground, const PlanOptions& options) {
+  std::vector<Plan> plans;
+  std::vector<Outcome> outcomes;
+  std::vector<double> shifts;
+  const std::size_t lines = lines_of(rows, options, 0.0).size();
+  for (const double shift : kShifts) {
+    const auto shifted = lines_of(rows, options, shift);
+    if (shifted.size() < lines) continue;  // a row has left the area
+    Plan plan = sailed(shifted, rows, ground, options);
+    if (!plans.empty() && infeasible_points(plan) > infeasible_points(plans.front())) continue;
+    outcomes.push_back(simulated_hits(plan.route, ground, options));
+    plans.push_back(std::move(plan));
+    shifts.push_back(shift * footprint_width_m(options));
+  }
+  const std::size_t best = pick(outcomes, {}).index;
+  plans[best].notes.push_back(
+      fmt::format("few rows fit the area: of {} placements the simulator chose rows shifted by "
+                  "{:g} m from the centred ones",
+                  kShifts.size(), shifts[best]));
+  return std::move(plans[best]);
+}
+
+}  // namespace
+
+Plan plan_back_and_forth(const PlanningGround& ground, const PlanOptions& options) {
+  check(options);
+  const PlanarMesh mesh = planning_mesh(ground, options);
+  const double mean = mean_depth_m(depth_regions(mesh, shared_edges(mesh), *ground.depths,
+                                                 {.bands = {.count = 1, .limits = {}}}));
+  Rows rows{reachable_area(ground), {}, fan_for_depth(options, mean)};
+  rows.azimuth = options.heading.value_or(best_azimuth(rows.area, footprint_width_m(options)));
+
+  const std::vector<SurveyLine> centred = lines_of(rows, options, 0.0);
+  if (ground.scene != nullptr && !centred.empty() && centred.back().row < kFewRows) {
+    return best_placed(rows, ground, options);
+  }
+  return sailed(centred, rows, ground, options);
+}
+
+}  // namespace swathplan

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "planners/smoothing/smooth.h"
+#include "planners/steering/line_poses.h"
+
+namespace swathplan {
+
+/// A pass beside point i, `normal` pointing there.
+struct Neighbour {
+  std::size_t i, j;
+  Vec2 normal;
+};
+
+/// Points at even steps along the skeleton.
+struct Samples {
+  std::vector<Vec2> points;
+  std::vector<double> along;
+  double step = 0.0;
+};
+[[nodiscard]] Samples sampled(const LinePoses& line, double step);
+
+/// For each point the nearest pass to port and to starboard within W that runs about along it.
+[[nodiscard]] std::vector<Neighbour> neighbours(const Samples& s, const SmoothOptions& o);
+
+/// How far each point may move: box half-sides.
+[[nodiscard]] std::vector<double> rooms(const Samples& s, const SmoothOptions& o);
+
+}  // namespace swathplan

@@ -1,0 +1,328 @@
+#include "planners/steering/connect.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "mesh/plane/area_query.h"
+#include "planners/steering/line_poses.h"
+#include "planners/steering/pose_search.h"
+#include "planners/steering/taut_way_internal.h"
+#include "planners/steering/water_path.h"
+
+namespace swathplan {
+namespace {
+
+/// Lines are shortened in these steps, in radii: fine ones up to a little over a radius, which a
+/// quarter turn at the water's edge needs; and up to kMostCut.
+constexpr double kFineStep = 1.0 / 16.0;
+constexpr double kFineCut = 1.25;
+constexpr double kCutStep = 0.25;
+constexpr double kMostCut = 4.0;
+/// Times as many poses as else that the last search may take.
+constexpr int kPatience = 4;
+/// ... and the part of them that the search for a wider join may.
+constexpr int kHaste = 4;
+/// Places at which a line is left and the next begun that searches try.
+constexpr std::size_t kTries = 3;
+
+Pose turned_back(const Pose& pose) { return {pose.position, -pose.course}; }
+
+struct Cut {
+  double off;
+  Pose pose;
+};
+
+/// The poses at which a line may be left (or, turned round, begun), least cut first.
+std::vector<Cut> cuts(const LinePoses& line, const ConnectOptions& options,
+                      const AreaQuery& water) {
+  const double most = std::min(options.longest_cut * line.length_m(), kMostCut * options.radius_m);
+  std::vector<Cut> result;
+  const double r = options.radius_m;
+  for (double off = 0.0; off <= most; off += (off < kFineCut * r ? kFineStep : kCutStep) * r) {
+    const auto place = line.at(line.length_m() - off);
+    const double cut = line.length_m() - place.along_m;
+    if (!result.empty() && cut - result.back().off < LinePoses::kCoincidentM) continue;
+    if (water.contains(place.pose.position)) result.push_back({cut, place.pose});
+  }
+  return result;
+}
+
+/// Courses for a line that is a point.
+std::vector<Cut> any_course(const Vec2& at) {
+  constexpr int kCourses = 16;
+  std::vector<Cut> result;
+  for (int k = 0; k < kCourses; ++k) {
+    const Angle a = Angle::radians(2.0 * std::numbers::pi * k / kCourses);
+    result.push_back({0.0, {at, {cos(a), sin(a)}}});
+  }
+  return result;
+}
+
+std::string at_text(const Vec2& local, const Frame& frame) {
+  const Vec2 p = frame.to_file(local);
+  return fmt::format("({:.1f}, {:.1f})", p.x(), p.y());
+}
+
+}  // namespace
+
+struct Connector::Impl {
+  AreaQuery water;
+  WaterPath ways;
+  ConnectOptions options;
+  PoseSearchOptions search;
+
+  Impl(const Area& area, const ConnectOptions& o) : water(area), ways(area), options(o) {
+    search.radius_m = o.radius_m * (1.0 + kRadiusReserve);
+    search.most_poses = kMostPoses;
+    search.place_in_water = [this](const Vec2& p) { return water.contains(p); };
+    search.in_water = [this](const std::vector<Vec2>& points) { return in_water(points); };
+  }
+
+  [[nodiscard]] bool in_water(const std::vector<Vec2>& points) const {
+    // Coarsely first: most paths that leave the water leave it far.
+    constexpr std::size_t kStride = 16;
+    for (std::size_t i = 0; i < points.size(); i += kStride) {
+      if (!water.contains(points[i])) return false;
+    }
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const double length = (points[i] - points[i - 1]).norm();
+      if (water.inside_length(points[i - 1], points[i]) < length - kDust * std::max(1.0, length)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::vector<Cut> sides(const std::vector<Vec2>& line, bool after,
+                                       const ConnectOptions& how) const {
+    std::vector<Vec2> there = line;
+    if (after) std::reverse(there.begin(), there.end());
+    const LinePoses poses(there);
+    if (poses.is_point()) return any_course(there.back());
+    std::vector<Cut> result = cuts(poses, how, water);
+    if (after) {
+      for (Cut& cut : result) cut.pose = turned_back(cut.pose);
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::optional<Connection> by_curve(const std::vector<Cut>& from,
+                                                   const std::vector<Cut>& to,
+                                                   const PoseSearchOptions& how) const;
+  [[nodiscard]] std::optional<Connection> by_way(const std::vector<Cut>& from,
+                                                 const std::vector<Cut>& to, bool in_sight,
+                                                 PoseSearchOptions how) const;
+  [[nodiscard]] std::optional<Connection> by_stages(const std::vector<Cut>& from,
+                                                    const std::vector<Cut>& to,
+                                                    const PoseSearchOptions& how) const;
+  [[nodiscard]] std::optional<std::vector<Pose>> staged(const std::vector<Pose>& stages,
+                                                        const std::vector<Vec2>& way,
+                                                        const PoseSearchOptions& how) const;
+  [[nodiscard]] std::vector<Cut> ones_with_room(const std::vector<Cut>& all, bool leaving,
+                                                const PoseSearchOptions& how) const;
+  [[nodiscard]] std::vector<Vec2> written(const std::vector<Pose>& poses,
+                                          const PoseSearchOptions& how) const;
+};
+
+/// The Dubins path that costs least with what it takes off the lines.
+std::optional<Connection> Connector::Impl::by_curve(const std::vector<Cut>& from,
+                                                    const std::vector<Cut>& to,
+                                                    const PoseSearchOptions& how) const {
+  struct Candidate {
+    double cost;
+    std::size_t a, b;
+    DubinsPath path;
+  };
+  std::vector<Candidate> all;
+  for (std::size_t a = 0; a < from.size(); ++a) {
+    for (std::size_t b = 0; b < to.size(); ++b) {
+      for (const DubinsPath& path : dubins_paths(from[a].pose, to[b].pose, how.radius_m)) {
+        all.push_back(
+            {path.length_m() + (kLineWorth - 1.0) * (from[a].off + to[b].off), a, b, path});
+      }
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Candidate& x, const Candidate& y) { return x.cost < y.cost; });
+  for (const Candidate& c : all) {
+    if (!stays_in_water(c.path, how)) continue;
+    return Connection{
+        JoinKind::curve, c.path.points(curve_step_m(how.radius_m)), from[c.a].off, to[c.b].off, {}};
+  }
+  return std::nullopt;
+}
+
+/// The poses from which a quarter turn, or as much straight on, stays in the water.
+std::vector<Cut> Connector::Impl::ones_with_room(const std::vector<Cut>& all, bool leaving,
+                                                 const PoseSearchOptions& how) const {
+  std::vector<Cut> result;
+  const double quarter = 0.5 * std::numbers::pi * how.radius_m;
+  for (const Cut& cut : all) {
+    const Pose pose = leaving ? cut.pose : turned_back(cut.pose);
+    for (const int turn : {0, 1, -1}) {
+      const DubinsPath out(pose, how.radius_m, {turn, 0, 0}, {quarter, 0, 0});
+      if (!stays_in_water(out, how)) continue;
+      result.push_back(cut);
+      break;
+    }
+  }
+  return result;
+}
+
+std::vector<Vec2> Connector::Impl::written(const std::vector<Pose>& poses,
+                                           const PoseSearchOptions& how) const {
+  std::vector<Vec2> points{poses.front().position};
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const auto path = dubins_in_water(poses[i - 1], poses[i], how);
+    if (!path) return {};
+    const auto piece = path->points(curve_step_m(how.radius_m));
+    points.insert(points.end(), piece.begin() + 1, piece.end());
+  }
+  return points;
+}
+
+std::optional<Connection> Connector::Impl::by_way(const std::vector<Cut>& from,
+                                                  const std::vector<Cut>& to, bool in_sight,
+                                                  PoseSearchOptions how) const {
+  const auto leave = ones_with_room(from, true, how);
+  const auto arrive = ones_with_room(to, false, how);
+  if (in_sight) how.most_poses *= kPatience;
+  for (std::size_t k = 0; k < (in_sight ? 1 : kTries); ++k) {
+    if (leave.empty() || arrive.empty()) break;
+    const Cut& a = leave[std::min(k * leave.size() / kTries, leave.size() - 1)];
+    const Cut& b = arrive[std::min(k * arrive.size() / kTries, arrive.size() - 1)];
+    const auto way = ways.find(a.pose.position, b.pose.position);
+    if (!way) break;
+    const TautWay taut(*way);
+    const auto to_go = [&](const Vec2& p) {
+      return in_sight ? taut.to_go_in_sight(p, water) : taut.to_go(p);
+    };
+    const auto poses = search_poses(a.pose, b.pose, to_go, how);
+    if (!poses) continue;
+    std::vector<Vec2> points = written(*poses, how);
+    if (points.empty()) continue;
+    return Connection{JoinKind::way, std::move(points), a.off, b.off, {}};
+  }
+  return std::nullopt;
+}
+
+/// From stage to stage; a stage that cannot be reached is left out, the last one not.
+std::optional<std::vector<Pose>> Connector::Impl::staged(const std::vector<Pose>& stages,
+                                                         const std::vector<Vec2>& way,
+                                                         const PoseSearchOptions& how) const {
+  const TautWay taut(way);
+  std::vector<Pose> poses{stages.front()};
+  for (std::size_t k = 1; k < stages.size(); ++k) {
+    const Pose& goal = stages[k];
+    const double beyond = taut.to_go(goal.position);
+    const auto to_go = [&](const Vec2& p) {
+      return std::max((p - goal.position).norm(), taut.to_go(p) - beyond);
+    };
+    const auto piece = search_poses(poses.back(), goal, to_go, how);
+    if (piece) poses.insert(poses.end(), piece->begin() + 1, piece->end());
+    if (!piece && k + 1 == stages.size()) return std::nullopt;
+  }
+  return poses;
+}
+
+/// Long ways in stages along the taut way: a search over the whole of such a way runs out of poses.
+std::optional<Connection> Connector::Impl::by_stages(const std::vector<Cut>& from,
+                                                     const std::vector<Cut>& to,
+                                                     const PoseSearchOptions& how) const {
+  const auto leave = ones_with_room(from, true, how);
+  const auto arrive = ones_with_room(to, false, how);
+  for (std::size_t k = 0; k < kTries && !leave.empty() && !arrive.empty(); ++k) {
+    const Cut& a = leave[k * leave.size() / kTries];
+    const Cut& b = arrive[k * arrive.size() / kTries];
+    const auto way = ways.find(a.pose.position, b.pose.position);
+    if (!way) break;
+    std::vector<Pose> stages{a.pose};
+    add_stages(*way, how.radius_m, stages);
+    stages.push_back(b.pose);
+    const auto poses = staged(stages, *way, how);
+    if (!poses) continue;
+    std::vector<Vec2> points = written(*poses, how);
+    if (points.empty()) continue;
+    return Connection{JoinKind::way, std::move(points), a.off, b.off, {}};
+  }
+  return std::nullopt;
+}
+
+Connector::Connector(const Area& safe_water, const ConnectOptions& options)
+    : impl_(std::make_unique<Impl>(safe_water, options)) {}
+Connector::~Connector() = default;
+Connector::Connector(Connector&&) noexcept = default;
+Connector& Connector::operator=(Connector&&) noexcept = default;
+
+Connection Connector::join(const std::vector<Vec2>& before, const std::vector<Vec2>& after) const {
+  const auto from = impl_->sides(before, false, impl_->options);
+  const auto to = impl_->sides(after, true, impl_->options);
+  if (auto found = impl_->by_curve(from, to, impl_->search)) return *found;
+  // The plain estimate is quick and nearly always enough.
+  for (const bool in_sight : {false, true}) {
+    if (auto found = impl_->by_way(from, to, in_sight, impl_->search)) return *found;
+  }
+  if (auto found = impl_->by_stages(from, to, impl_->search)) return *found;
+  Connection none;
+  const Vec2& a = before.back();
+  const Vec2& b = after.front();
+  const auto way = impl_->ways.find(a, b);
+  none.points = way.value_or(std::vector<Vec2>{a, b});
+  none.reason =
+      way ? fmt::format("no forward way with turns of {:g} m from {} to {} stays in safe water",
+                        impl_->options.radius_m, at_text(a, impl_->options.frame),
+                        at_text(b, impl_->options.frame))
+          : fmt::format(
+                "no way through the water from {} to {}: the transit between these separate "
+                "waters crosses land and is counted as outside the water",
+                at_text(a, impl_->options.frame), at_text(b, impl_->options.frame));
+  return none;
+}
+
+std::optional<Connection> Connector::wider_join(const std::vector<Vec2>& before,
+                                                const std::vector<Vec2>& after,
+                                                double radius_m) const {
+  ConnectOptions lines = impl_->options;
+  PoseSearchOptions how = impl_->search;
+  lines.radius_m = radius_m;
+  how.radius_m = std::max(radius_m, how.radius_m);
+  how.most_poses /= kHaste;
+  const auto from = impl_->sides(before, false, lines);
+  const auto to = impl_->sides(after, true, lines);
+  if (auto found = impl_->by_curve(from, to, how)) return found;
+  return impl_->by_way(from, to, false, how);
+}
+
+bool Connector::has_room(const std::vector<Vec2>& line) const {
+  const auto end = impl_->sides(line, false, impl_->options);
+  const auto begin = impl_->sides(line, true, impl_->options);
+  return !impl_->ones_with_room(end, true, impl_->search).empty() &&
+         !impl_->ones_with_room(begin, false, impl_->search).empty();
+}
+
+std::vector<Vec2> Connector::curve(const Pose& from, const Pose& to) const {
+  const auto path = dubins_in_water(from, to, impl_->search);
+  if (!path) return {};
+  // Chords nearest to the angle of those of a line's own curves: where the two meet, chords of
+  // another angle bend tighter than both curves.
+  const double step = Angle::degrees(kCurveStepDeg).rad() * impl_->search.radius_m;
+  const double parts = std::max(1.0, std::round(path->length_m() / step));
+  constexpr double kDown = 1.0 + 1e-9;  // so that rounding makes no further part
+  std::vector<Vec2> even = path->points(kDown * path->length_m() / parts);
+  return in_water(even) ? even : path->points(curve_step_m(impl_->search.radius_m));
+}
+
+bool Connector::in_water(const std::vector<Vec2>& points) const { return impl_->in_water(points); }
+
+std::vector<Vec2> Connector::search(const Pose& from, const Pose& to) const {
+  const auto to_go = [&](const Vec2& p) { return (p - to.position).norm(); };
+  const auto poses = search_poses(from, to, to_go, impl_->search);
+  return poses ? impl_->written(*poses, impl_->search) : std::vector<Vec2>{};
+}
+
+}  // namespace swathplan

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/plane/polygons.h"
+#include "planners/steering/dubins.h"
+
+namespace swathplan {
+
+/// How two lines are joined.
+enum class JoinKind {
+  curve,      ///< one forward path of arcs and straights
+  way,        ///< several of them around what lies between
+  infeasible  ///< no forward path was found; the points are a plain way, for the record
+};
+
+/// The way from one line to the next.
+struct Connection {
+  JoinKind kind = JoinKind::infeasible;
+  std::vector<Vec2> points;   ///< from the shortened end of one to the shortened begin of the other
+  double off_before_m = 0.0;  ///< taken off the end of the line before
+  double off_after_m = 0.0;   ///< taken off the begin of the line after
+  std::string reason;         ///< of an infeasible one, one sentence with the place; else empty
+};
+
+struct ConnectOptions {
+  double radius_m = 1.5;  ///< smallest turn radius, > 0
+  /// Longest share of a line that may be given up at either end for a turn that fits.
+  double longest_cut = 0.45;
+  Frame frame = {};  ///< of the seafloor's file: reasons name places in its coordinates
+};
+
+/// Joins lines through safe water by forward motion with turns of at least a radius. A line that
+/// runs up to the water's edge is shortened there as far as the turn needs.
+/// Guarantees: (1) a connection that is not infeasible stays in the water (to kDust of its length)
+/// and turns no tighter than the radius; (2) its first and last course are those of the lines.
+/// Cost: a Dubins path and its check; where it is blocked, a search over poses (kMostPoses).
+class Connector {
+ public:
+  /// `safe_water`: where the boat may be, clearance taken off.
+  Connector(const Area& safe_water, const ConnectOptions& options);
+  ~Connector();
+  Connector(Connector&&) noexcept;
+  Connector& operator=(Connector&&) noexcept;
+
+  /// `before` and `after`: points of the lines in sailing order. A line of one point has the course
+  /// that suits the join.
+  [[nodiscard]] Connection join(const std::vector<Vec2>& before,
+                                const std::vector<Vec2>& after) const;
+  /// The same with turns of `radius_m`, not below the options'; empty where a quick search finds
+  /// none.
+  [[nodiscard]] std::optional<Connection> wider_join(const std::vector<Vec2>& before,
+                                                     const std::vector<Vec2>& after,
+                                                     double radius_m) const;
+  /// Whether the boat can come onto a line and leave it: before and behind it, or what is left of
+  /// it when as much is cut off as may be, a quarter turn or as much straight on stays in the
+  /// water.
+  [[nodiscard]] bool has_room(const std::vector<Vec2>& line) const;
+  /// The shortest Dubins path between two poses that stays in the water; empty if none does.
+  [[nodiscard]] std::vector<Vec2> curve(const Pose& from, const Pose& to) const;
+  /// True if the path stays in the water.
+  [[nodiscard]] bool in_water(const std::vector<Vec2>& points) const;
+  /// Any forward path between two poses through the water, shortest as far as a search over a
+  /// lattice of poses tells; empty if it finds none.
+  [[nodiscard]] std::vector<Vec2> search(const Pose& from, const Pose& to) const;
+
+  static constexpr int kMostPoses = 60000;
+  static constexpr double kDust = 1e-6;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// A metre taken off a line costs this much more than a metre of way: the line is what is wanted.
+inline constexpr double kLineWorth = 2.0;
+}  // namespace swathplan

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "mesh/base/angle.h"
+#include "mesh/plane/polygons.h"
+#include "planners/steering/dubins.h"
+
+namespace swathplan {
+
+/// What a search over poses asks of the water.
+struct PoseSearchOptions {
+  double radius_m = 1.5;  ///< smallest turn radius, > 0
+  int most_poses = 150000;
+  /// Whether a place lies in the water; asked first, at a few places of a path.
+  std::function<bool(const Vec2&)> place_in_water;
+  /// Whether a path of points stays in the water.
+  std::function<bool(const std::vector<Vec2>&)> in_water;
+};
+
+/// A forward path from one pose to another, as poses joined by shortest Dubins paths that stay in
+/// the water: A* over poses (a lattice of places and courses; arcs of the radius to either side and
+/// straights), each try closed by a Dubins path, then pulled taut. `to_go(p)`: a lower bound or
+/// estimate of the metres from p to the goal. Deterministic. Empty: none within `most_poses`.
+[[nodiscard]] std::optional<std::vector<Pose>> search_poses(
+    const Pose& from, const Pose& to, const std::function<double(const Vec2&)>& to_go,
+    const PoseSearchOptions& options);
+
+/// The shortest Dubins path between two poses that stays in the water.
+[[nodiscard]] std::optional<DubinsPath> dubins_in_water(const Pose& from, const Pose& to,
+                                                        const PoseSearchOptions& options);
+
+/// Whether a Dubins path stays in the water.
+[[nodiscard]] bool stays_in_water(const DubinsPath& path, const PoseSearchOptions& options);
+
+/// Spacing of the points that a curve of this radius is written with, metres.
+[[nodiscard]] double curve_step_m(double radius_m);
+
+}  // namespace swathplan

@@ -1,0 +1,157 @@
+#include "coverage/route/route_figures.h"
+
+#include <gtest/gtest.h>
+
+#include "coverage/scenes.h"
+#include "mesh/synthetic.h"
+
+namespace swathplan {
+namespace {
+
+using testing::rectangle;
+using testing::route_through;
+
+const FanAngles kFan{Angle::degrees(60), Angle::degrees(60)};
+
+struct Flat {
+  Seafloor seafloor = flat(100, 100, 10);
+  DepthQuery depths{seafloor};
+};
+
+RouteFigures figures(const Route& route, const Area& water = rectangle(0, 0, 100, 100)) {
+  const Flat f;
+  return route_figures(route, {}, water, f.depths, 1000.0, 10.0);
+}
+
+std::vector<Vec2> arc(const Vec2& centre, double radius, double from_deg, double to_deg, int n) {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= n; ++i) {
+    const double a = Angle::degrees(from_deg + (to_deg - from_deg) * i / n).rad();
+    points.push_back(centre + radius * Vec2(std::cos(a), std::sin(a)));
+  }
+  return points;
+}
+
+TEST(RouteFigures, LengthTimeAndKinds) {
+  Route route = route_through({{10, 10}, {40, 10}, {40, 50}, {10, 50}}, kFan);
+  route.waypoints[1].kind = LegKind::transit;
+  route.waypoints[1].log = false;
+  route.waypoints[1].speed_mps = 4.0;
+  const RouteFigures f = figures(route);
+  EXPECT_DOUBLE_EQ(f.length_m, 100.0);
+  EXPECT_DOUBLE_EQ(f.length_by_kind_m.at("line"), 60.0);
+  EXPECT_DOUBLE_EQ(f.length_by_kind_m.at("transit"), 40.0);
+  EXPECT_DOUBLE_EQ(f.logged_length_m, 60.0);
+  EXPECT_DOUBLE_EQ(f.length_ratio, 1.0);
+  EXPECT_DOUBLE_EQ(f.duration_s, 15.0 + 10.0 + 15.0);
+  EXPECT_EQ(f.turns, 2U);
+  EXPECT_EQ(f.sharp_turns, 2U);
+  EXPECT_NEAR(f.total_turning_deg, 180.0, 1e-9);
+  EXPECT_NEAR(f.min_under_keel_m, 9.7, 1e-9);
+  EXPECT_EQ(f.outside_water_m, 0.0);
+}
+
+TEST(RouteFigures, ContingencyCountsAgainstTheEndurance) {
+  const Route route = route_through({{10, 10}, {90, 10}}, kFan);
+  const Flat f;
+  Vehicle vehicle;
+  const auto of = [&](double contingency, double endurance_s) {
+    vehicle.contingency = contingency;
+    vehicle.endurance_h = endurance_s / 3600.0;
+    return route_figures(route, vehicle, rectangle(0, 0, 100, 100), f.depths, 1000.0, 10.0);
+  };
+  const double seconds = of(0.0, 1000.0).duration_s;
+  EXPECT_EQ(of(0.0, 1000.0).contingency_s, 0.0);
+  EXPECT_DOUBLE_EQ(of(0.25, 1000.0).contingency_s, 0.25 * seconds);
+  EXPECT_EQ(of(0.25, 1000.0).duration_s, seconds);
+  EXPECT_FALSE(of(0.0, 1.2 * seconds).beyond_endurance);
+  EXPECT_EQ(endurance_note(of(0.0, 1.2 * seconds), vehicle), "");
+  EXPECT_TRUE(of(0.25, 1.2 * seconds).beyond_endurance);
+  const std::string note = endurance_note(of(0.25, 1.2 * seconds), vehicle);
+  EXPECT_NE(note.find("25 %"), std::string::npos) << note;
+  EXPECT_NE(note.find("endurance"), std::string::npos) << note;
+}
+
+TEST(RouteFigures, ACurveOfManyBendsCountsOnceAndHasItsRadius) {
+  const RouteFigures f = figures(route_through(arc({50, 50}, 20, 0, 90, 60), kFan));
+  EXPECT_EQ(f.turns, 1U);
+  EXPECT_NEAR(f.total_turning_deg, 88.5, 1e-6);
+  EXPECT_NEAR(f.min_turn_radius_m, 20.0, 0.01);
+  EXPECT_EQ(f.sharp_turns, 0U);
+  EXPECT_EQ(figures(route_through(arc({50, 50}, 20, 0, 180, 90), kFan)).sharp_turns, 1U);
+}
+
+TEST(RouteFigures, BendsToEitherSideAreDifferentCurves) {
+  auto points = arc({30, 50}, 10, 180, 0, 60);
+  const auto back = arc({50, 50}, 10, 180, 360, 60);
+  points.insert(points.end(), back.begin() + 1, back.end());
+  EXPECT_EQ(figures(route_through(points, kFan)).turns, 2U);
+}
+
+TEST(RouteFigures, AStraightRouteHasNoTurnAndNoRadius) {
+  const RouteFigures f =
+      figures(route_through({{10, 10}, {20, 20}, {20, 20}, {35, 35}, {70, 70}}, kFan));
+  EXPECT_EQ(f.turns, 0U);
+  EXPECT_TRUE(f.min_turn_radius_m > 1e6);
+}
+
+TEST(RouteFigures, ACornerBetweenLongSegmentsTakesTheArcThatFits) {
+  const RouteFigures f = figures(route_through({{10, 10}, {30, 10}, {30, 90}}, kFan));
+  EXPECT_NEAR(f.min_turn_radius_m, 10.0, 1e-9);
+  EXPECT_NEAR(figures(route_through({{10, 10}, {50, 10}, {20, 10}}, kFan)).min_turn_radius_m, 0.0,
+              1e-9);
+}
+
+TEST(RouteFigures, MetresOutsideTheWaterAreMeasured) {
+  Area water = rectangle(20, 0, 80, 100);
+  water[0].holes.push_back({{45, 45}, {45, 55}, {55, 55}, {55, 45}});
+  const RouteFigures f = figures(route_through({{10, 50}, {90, 50}}, kFan), water);
+  EXPECT_NEAR(f.outside_water_m, 30.0, 1e-6);
+  EXPECT_EQ(figures(route_through({{20, 0}, {20, 100}, {80, 100}}, kFan), water).outside_water_m,
+            0.0);
+}
+
+TEST(RouteFigures, LeastWaterUnderTheKeelIsFoundBetweenWaypoints) {
+  Seafloor s = flat(100, 100, 10);
+  // A rock of 4 m at the node nearest (50, 50).
+  for (Vec3& v : s.vertices) {
+    if ((v.head<2>() - Vec2(50, 50)).norm() < 0.1) v.z() = -4;
+  }
+  const DepthQuery depths(s);
+  const RouteFigures f = route_figures(route_through({{0, 50}, {100, 50}}, kFan), {},
+                                       rectangle(0, 0, 100, 100), depths, 1, 1);
+  EXPECT_NEAR(f.min_under_keel_m, 3.7, 1e-9);
+  const RouteFigures nowhere = route_figures(route_through({{-9, -9}, {-5, -9}}, kFan), {},
+                                             rectangle(0, 0, 100, 100), depths, 1, 1);
+  EXPECT_TRUE(std::isinf(nowhere.min_under_keel_m));
+  EXPECT_NEAR(nowhere.unknown_depth_m, 4.0, 1e-9);
+}
+
+// Known water at both ends says nothing of the land between.
+TEST(RouteFigures, APathOverLandHasNoLeastWaterUnderTheKeel) {
+  Seafloor s = flat(100, 100, 10);
+  std::erase_if(s.faces, [&](const auto& f) { return std::abs(s.vertices[f[0]].x() - 50) < 10; });
+  const DepthQuery depths(s);
+  const Area water = unite(rectangle(0, 0, 38, 100), rectangle(62, 0, 100, 100));
+  const auto over = [&](const Area& where) {
+    return route_figures(route_through({{20, 50}, {80, 50}}, kFan), {}, where, depths, 1, 1);
+  };
+  EXPECT_TRUE(std::isinf(over(water).min_under_keel_m));
+  EXPECT_NEAR(over(water).unknown_depth_m, 20.0, 3.0);
+  // Where the boat may run out beyond the data, that is no finding.
+  EXPECT_NEAR(over(rectangle(0, 0, 100, 100)).min_under_keel_m, 9.7, 1e-9);
+  EXPECT_EQ(over(rectangle(0, 0, 100, 100)).unknown_depth_m, 0.0);
+}
+
+TEST(RouteFigures, BendsOfRoundingLeaveARouteStraight) {
+  const RouteFigures f = figures(route_through({{0, 0}, {40, 1e-13}, {80, 0}}, kFan));
+  EXPECT_TRUE(std::isinf(f.min_turn_radius_m));
+}
+
+TEST(RouteFigures, CrossingsOfTheRouteWithItself) {
+  EXPECT_EQ(figures(route_through({{10, 10}, {30, 30}, {30, 10}, {10, 30}}, kFan)).self_crossings,
+            1U);
+}
+
+}  // namespace
+}  // namespace swathplan

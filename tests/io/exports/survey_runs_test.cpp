@@ -1,0 +1,52 @@
+#include "io/exports/survey_runs.h"
+
+#include <gtest/gtest.h>
+
+#include "io/sample_route.h"
+
+namespace swathplan {
+namespace {
+
+TEST(SurveyRuns, AreTheLinesInTheirOrder) {
+  const Route route = test::lawnmower(3);
+  const std::vector<SurveyRun> runs = survey_runs(route);
+  ASSERT_EQ(runs.size(), 3U);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    EXPECT_EQ(runs[i].name, std::to_string(i + 1));
+    const Vec2 along =
+        route.waypoints[runs[i].last].position - route.waypoints[runs[i].first].position;
+    EXPECT_NEAR(along.norm(), 100.0, 1e-9);
+  }
+}
+
+TEST(SurveyRuns, NamesAreUnique) {
+  Route route = test::lawnmower(4);
+  for (Waypoint& w : route.waypoints) {
+    if (w.line == 3) w.line = 1;
+    if (w.line == 4) w.line = std::nullopt;
+  }
+  const std::vector<SurveyRun> runs = survey_runs(route);
+  ASSERT_EQ(runs.size(), 4U);
+  EXPECT_EQ(runs[2].name, "1_2");
+  EXPECT_EQ(runs[3].name, "3");
+}
+
+TEST(WaypointNames, TellStartsAndEndsOfLines) {
+  Route route = test::lawnmower(2);
+  std::vector<std::string> names = waypoint_names(route);
+  EXPECT_EQ(names[0], "line 1 start");
+  EXPECT_EQ(names[1], "2");
+  EXPECT_EQ(names[200], "line 1 end");
+  EXPECT_EQ(names[260], "line 2 start");
+  EXPECT_EQ(names.back(), "line 2 end");
+  for (Waypoint& w : route.waypoints) {
+    if (w.kind != LegKind::turn) continue;
+    w.kind = LegKind::line;
+    w.line = 7;
+  }
+  names = waypoint_names(route);
+  EXPECT_EQ(names[200], "line 1 end, line 7 start");
+}
+
+}  // namespace
+}  // namespace swathplan

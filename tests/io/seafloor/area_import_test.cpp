@@ -1,0 +1,132 @@
+#include "io/seafloor/area_import.h"
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <gmock/gmock.h>
+#include <ogrsf_frmts.h>
+
+#include "io/files/crs.h"
+#include "io/import_files.h"
+
+namespace swathplan {
+namespace {
+
+using testing::HasSubstr;
+using AreaImport = ImportFiles;
+
+Frame utm_frame() { return {.origin = Vec2(479000, 6104000), .crs_wkt = parse_crs("EPSG:32633")}; }
+
+std::string geojson(const std::string& geometry) {
+  return R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)" +
+         geometry + "}]}";
+}
+
+/// A rectangle in UTM 33N as a GeoJSON polygon of longitudes and latitudes.
+std::string lon_lat_rectangle(const Vec2& low, const Vec2& high) {
+  const CrsTransform to_lon_lat(parse_crs("EPSG:32633"), wgs84_crs());
+  std::string corners;
+  for (const Vec2& p : {low, Vec2(high.x(), low.y()), high, Vec2(low.x(), high.y()), low}) {
+    const Vec2 q = to_lon_lat(p);
+    corners += fmt::format("{}[{:.12f},{:.12f}]", corners.empty() ? "" : ",", q.x(), q.y());
+  }
+  return geojson(R"({"type":"Polygon","coordinates":[[)" + corners + "]]}");
+}
+
+/// The rectangle with a square hole, written by OGR in the given format and CRS.
+std::filesystem::path written(const std::filesystem::path& path, const char* driver_name,
+                              const std::string& crs_wkt) {
+  GDALAllRegister();
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_name);
+  const GDALDatasetUniquePtr data(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  OGRSpatialReference crs;
+  crs.importFromWkt(crs_wkt.c_str());
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  OGRLayer* layer = data->CreateLayer("area", crs_wkt.empty() ? nullptr : &crs, wkbPolygon);
+  const CrsTransform transform(parse_crs("EPSG:32633"),
+                               crs_wkt.empty() ? parse_crs("EPSG:32633") : crs_wkt);
+  OGRPolygon polygon;
+  for (const auto& [low, size] : {std::pair{100.0, 400.0}, std::pair{200.0, 50.0}}) {
+    OGRLinearRing ring;
+    for (const Vec2& corner : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1), Vec2(0, 0)}) {
+      const Vec2 p = transform(Vec2(Vec2(479000 + low, 6104000 + low) + size * corner));
+      ring.addPoint(p.x(), p.y());
+    }
+    polygon.addRing(&ring);
+  }
+  const OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(layer->GetLayerDefn()));
+  feature->SetGeometry(&polygon);
+  EXPECT_EQ(OGRERR_NONE, layer->CreateFeature(feature.get()));
+  return path;
+}
+
+TEST_F(AreaImport, GeoJsonDegreesBecomeLocalMetres) {
+  const Area area = import_area(
+      write("a.geojson", lon_lat_rectangle(Vec2(479100, 6104100), Vec2(479500, 6104300))),
+      utm_frame());
+  ASSERT_EQ(area.size(), 1U);
+  const Box2 box = extent(area);
+  EXPECT_NEAR((box.min - Vec2(100, 100)).norm(), 0.0, 1e-3);
+  EXPECT_NEAR((box.max - Vec2(500, 300)).norm(), 0.0, 1e-3);
+  EXPECT_NEAR(area_m2(area), 400.0 * 200.0, 1.0);
+}
+
+TEST_F(AreaImport, EveryFormatAndCrsGivesTheSameArea) {
+  const std::vector<std::tuple<const char*, const char*, std::string>> files = {
+      {"a.gpkg", "GPKG", parse_crs("EPSG:32633")},
+      {"b.gpkg", "GPKG", parse_crs("EPSG:32632")},
+      {"c.gpkg", "GPKG", wgs84_crs()},
+      {"d.shp", "ESRI Shapefile", wgs84_crs()},
+      {"e.shp", "ESRI Shapefile", ""},
+      {"f.kml", "KML", wgs84_crs()},
+      {"g.geojson", "GeoJSON", parse_crs("EPSG:32633")}};
+  for (const auto& [name, driver, crs] : files) {
+    const Area area = import_area(written(path(name), driver, crs), utm_frame());
+    ASSERT_EQ(area.size(), 1U) << name;
+    EXPECT_EQ(area[0].holes.size(), 1U) << name;
+    EXPECT_NEAR(area_m2(area), 400.0 * 400.0 - 50.0 * 50.0, 1.0) << name;
+    EXPECT_NEAR((extent(area).min - Vec2(100, 100)).norm(), 0.0, 0.01) << name;
+    EXPECT_FALSE(contains(area, Vec2(225, 225))) << name;
+  }
+}
+
+TEST_F(AreaImport, LocalCoordinatesStayLocal) {
+  const std::string square =
+      geojson(R"({"type":"Polygon","coordinates":[[[0,0],[40,0],[40,30],[0,30],[0,0]]]})");
+  EXPECT_NEAR(area_m2(import_area(write("a.geojson", square), Frame{})), 1200.0, 1e-6);
+  const std::string eastings = geojson(
+      R"({"type":"Polygon","coordinates":[[[479100,6104000],[479140,6104000],[479140,6104030],[479100,6104000]]]})");
+  EXPECT_NEAR(area_m2(import_area(write("b.geojson", eastings), utm_frame())), 600.0, 1e-6);
+}
+
+TEST_F(AreaImport, OverlappingPolygonsAreUnited) {
+  const std::string two = geojson(
+      R"({"type":"MultiPolygon","coordinates":[[[[0,0],[4,0],[4,4],[0,4],[0,0]]],[[[20,0],[24,0],[24,4],[20,4],[20,0]]]]})");
+  EXPECT_EQ(import_area(write("a.geojson", two), Frame{}).size(), 2U);
+  const std::string both =
+      R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]}},{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[2,2],[6,2],[6,6],[2,6],[2,2]]]}}]})";
+  const Area united = import_area(write("b.geojson", both), Frame{});
+  EXPECT_EQ(united.size(), 1U);
+  EXPECT_NEAR(area_m2(united), 28.0, 1e-6);
+}
+
+TEST_F(AreaImport, RefusesWhatIsNoArea) {
+  const auto says = [&](const std::string& text, std::optional<Box2> data = {}) {
+    return refusal([&] { return import_area(write("a.geojson", text), Frame{}, data); });
+  };
+  EXPECT_THAT(refusal([&] { return import_area(path("no.geojson"), Frame{}); }),
+              HasSubstr("does not exist"));
+  EXPECT_THAT(says(garbage(500)), HasSubstr("cannot be read"));
+  EXPECT_THAT(says(R"({"type":"FeatureColl)"), HasSubstr("cannot be read"));
+  EXPECT_THAT(says(geojson(R"({"type":"LineString","coordinates":[[0,0],[1,1]]})")),
+              HasSubstr("no polygon"));
+  EXPECT_THAT(
+      says(geojson(R"({"type":"Polygon","coordinates":[[[0,0],[4,4],[4,0],[0,4],[0,0]]]})")),
+      HasSubstr("crosses"));
+  const std::string square =
+      geojson(R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]})");
+  EXPECT_EQ(says(square, Box2{Vec2(3, 3), Vec2(9, 9)}), "accepted");
+  EXPECT_THAT(says(square, Box2{Vec2(5, 0), Vec2(9, 4)}), HasSubstr("do not meet"));
+}
+
+}  // namespace
+}  // namespace swathplan

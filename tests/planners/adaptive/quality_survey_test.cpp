@@ -1,0 +1,187 @@
+#include "planners/adaptive/quality_survey.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "mesh/base/error.h"
+#include "planners/adaptive/adaptive_worlds.h"
+#include "planners/adaptive/quality_baselines.h"
+#include "planners/message_of.h"
+
+namespace swathplan {
+namespace {
+
+using testing::HasSubstr;
+
+struct Case {
+  double port_m, starboard_m;
+  std::size_t optimum;
+};
+constexpr Case kCases[] = {{70, 70, 36}, {110, 110, 18}, {150, 0, 19}};
+
+QualitySurveyOptions options(GapConstraint constraint) {
+  QualitySurveyOptions o;
+  o.constraint = constraint;
+  return o;
+}
+
+TEST(QualitySurvey, EveryVariantCoversAll) {
+  for (const Case& c : kCases) {
+    for (const auto constraint :
+         {GapConstraint::none, GapConstraint::mild, GapConstraint::strong}) {
+      const auto o = options(constraint);
+      const auto state = sail(o, true_quality(o, c.port_m, c.starboard_m));
+      EXPECT_DOUBLE_EQ(covered_share(state), 1.0) << name(constraint) << " " << c.port_m;
+    }
+  }
+}
+
+TEST(QualitySurvey, StrongConstraintIsWithinATrackOfTheOptimum) {
+  for (const Case& c : kCases) {
+    const auto o = options(GapConstraint::strong);
+    const auto truth = true_quality(o, c.port_m, c.starboard_m);
+    EXPECT_EQ(fewest_tracks(o, truth).size(), c.optimum);
+    EXPECT_LE(sail(o, truth).sailed.size(), c.optimum + 1);
+  }
+}
+
+TEST(QualitySurvey, StrongConstraintTravelsLeastInTheFirstTwoCases) {
+  for (const Case& c : {kCases[0], kCases[1]}) {
+    const auto travel = [&](GapConstraint constraint) {
+      const auto o = options(constraint);
+      return travel_m(sail(o, true_quality(o, c.port_m, c.starboard_m)).sailed, o.length_m);
+    };
+    EXPECT_LT(travel(GapConstraint::strong), travel(GapConstraint::mild));
+    EXPECT_LT(travel(GapConstraint::strong), travel(GapConstraint::none));
+  }
+}
+
+// Ten whole pitches of 410 m: 90, 250 and 220 m of each are covered.
+TEST(QualitySurvey, PreplannedCoversWhatThePairedLayoutGives) {
+  QualitySurveyOptions o;
+  o.width_m = 4100.0;
+  EXPECT_NEAR(covered_share(sail_preplanned(o, true_quality(o, 150, 150))), 1.0, 1e-12);
+  EXPECT_NEAR(covered_share(sail_preplanned(o, true_quality(o, 70, 70))), 90.0 / 410.0, 1e-12);
+  EXPECT_NEAR(covered_share(sail_preplanned(o, true_quality(o, 150, 0))), 220.0 / 410.0, 1e-12);
+  // The neighbour pair's 40 m of overhang are missing at the edge.
+  EXPECT_NEAR(covered_share(sail_preplanned(o, true_quality(o, 110, 110))), 250.0 / 410.0, 0.012);
+}
+
+// Oracle: all choices of up to four tracks over an area of 18 swaths.
+TEST(QualitySurvey, FewestTracksAgreesWithBruteForce) {
+  QualitySurveyOptions o;
+  o.width_m = 180.0;
+  o.range_max_m = 90.0;
+  o.range_min_m = 20.0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SeededNumbers numbers(seed);
+    TrueQuality truth = true_quality(o, 90, 90);
+    for (auto* side : {&truth.port, &truth.starboard}) {
+      for (char& good : *side) good = numbers.uniform() < (seed % 2 ? 0.75 : 0.55) ? 1 : 0;
+    }
+    std::vector<unsigned> masks;
+    for (int i = 0; i <= 18; ++i) {
+      for (const bool outbound : {true, false}) {
+        unsigned mask = 0;
+        for (int b = 0; b < range_bins(o); ++b) {
+          const auto k = static_cast<std::size_t>(b);
+          const auto& low = outbound ? truth.port : truth.starboard;
+          const auto& high = outbound ? truth.starboard : truth.port;
+          const int below = i - 2 - b - 1;
+          const int above = i + 2 + b;
+          if (low[k] && below >= 0 && below < 18) mask |= 1U << static_cast<unsigned>(below);
+          if (high[k] && above < 18) mask |= 1U << static_cast<unsigned>(above);
+        }
+        masks.push_back(mask);
+      }
+    }
+    const unsigned all = (1U << 18U) - 1U;
+    std::size_t best = 99;
+    for (std::size_t a = 0; a < masks.size(); ++a) {
+      for (std::size_t b = a; b < masks.size(); ++b) {
+        if ((masks[a] | masks[b]) == all) best = 2;
+        for (std::size_t c = b; c < masks.size(); ++c) {
+          const unsigned three = masks[a] | masks[b] | masks[c];
+          if (three == all) best = std::min<std::size_t>(best, 3);
+          for (std::size_t d = c; d < masks.size() && best > 4; ++d) {
+            if ((three | masks[d]) == all) best = 4;
+          }
+        }
+      }
+    }
+    const auto tracks = fewest_tracks(o, truth);
+    if (best <= 4) {
+      EXPECT_EQ(tracks.size(), best) << "seed " << seed;
+    } else {
+      EXPECT_TRUE(tracks.empty() || tracks.size() > 4) << "seed " << seed;
+    }
+  }
+}
+
+TEST(QualitySurvey, ImpossibleOptimumIsEmpty) {
+  const QualitySurveyOptions o;
+  EXPECT_TRUE(fewest_tracks(o, true_quality(o, 0, 0)).empty());
+}
+
+TEST(QualitySurvey, RatesAreTheMeanOfTheBetaPosterior) {
+  auto state = start_survey({});
+  EXPECT_DOUBLE_EQ(success_rate(state, true, 0), 0.5);
+  const QualityObservation half = observe_world(true_quality(state.options, 150, 0));
+  state = observe(state, *next_track(state), half);
+  EXPECT_DOUBLE_EQ(success_rate(state, true, 0), 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(success_rate(state, false, 0), 1.0 / 3.0);
+}
+
+TEST(QualitySurvey, TransitCostIsAParabola) {
+  const QualitySurveyOptions o;
+  EXPECT_DOUBLE_EQ(transit_cost(o, 100, 160), 0.0);
+  EXPECT_DOUBLE_EQ(transit_cost(o, 100, 100), 1.0);
+  EXPECT_DOUBLE_EQ(transit_cost(o, 280, 100), 4.0);
+}
+
+TEST(QualitySurvey, ADeadSonarEndsTheSurvey) {
+  QualitySurveyOptions o;
+  o.width_m = 200.0;
+  const auto state = sail(o, true_quality(o, 0, 0));
+  EXPECT_DOUBLE_EQ(covered_share(state), 0.0);
+  EXPECT_EQ(state.sailed.size(), 40U);
+}
+
+TEST(QualitySurvey, RefusesBadObservations) {
+  const auto state = start_survey({});
+  const SurveyTrack track = *next_track(state);
+  QualityObservation good = observe_world(true_quality(state.options, 150, 150));
+  const auto refusal = [&](const SurveyTrack& t, const QualityObservation& observation) {
+    return message_of<InvalidInput>([&] { (void)observe(state, t, observation); });
+  };
+  SurveyTrack other = track;
+  other.across_m += 10.0;
+  EXPECT_THAT(refusal(other, good), HasSubstr("which was not given"));
+  auto bad = good;
+  bad.port.pop_back();
+  EXPECT_THAT(refusal(track, bad), HasSubstr("10 correlations on the port side; give 11"));
+  bad = good;
+  bad.starboard[4] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(refusal(track, bad), HasSubstr("correlation 4 of the starboard side is nan"));
+  bad.starboard[4] = 1.5;
+  EXPECT_THAT(refusal(track, bad), HasSubstr("[-1, 1]"));
+}
+
+TEST(QualitySurvey, RefusesBadOptions) {
+  const auto refusal = [](auto change) {
+    QualitySurveyOptions o;
+    change(o);
+    return message_of<UsageError>([&] { check(o); });
+  };
+  EXPECT_THAT(refusal([](auto& o) { o.turn_width_m = -60; }), HasSubstr("turning radius"));
+  EXPECT_THAT(refusal([](auto& o) { o.width_m = 100; }), HasSubstr("narrower"));
+  EXPECT_THAT(refusal([](auto& o) { o.width_m = 2005; }), HasSubstr("multiple of the swath"));
+  EXPECT_THAT(refusal([](auto& o) { o.range_max_m = 30; }), HasSubstr("largest range"));
+  EXPECT_THAT(refusal([](auto& o) { o.cost_weight = -0.1; }), HasSubstr("cost weight"));
+  EXPECT_THAT(refusal([](auto& o) { o.quality = 1.0; }), HasSubstr("quality"));
+}
+
+}  // namespace
+}  // namespace swathplan
