@@ -1,17 +1,18 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "apps/command_line.h"
 
-// Each adds its subcommand to the program. Callbacks throw UsageError and InvalidInput; main turns
-// them into exit codes.
+// The subcommands. They throw UsageError and InvalidInput; main turns these into exit codes.
 namespace swathplan {
 
-void add_inspect_command(CLI::App& app);
-void add_synth_command(CLI::App& app);
-void add_plan_command(CLI::App& app);
-void add_compare_command(CLI::App& app);
-void add_lines_command(CLI::App& app);
-void add_score_command(CLI::App& app);
-void add_export_command(CLI::App& app);
+[[nodiscard]] Command inspect_command();
+[[nodiscard]] Command synth_command();
+[[nodiscard]] Command plan_command();
+[[nodiscard]] Command compare_command();
+[[nodiscard]] Command lines_command();
+[[nodiscard]] Command score_command();
+[[nodiscard]] Command export_command();
+/// `adapt accordion|spacing|quality simulate|study|live`.
+[[nodiscard]] Command adapt_command();
 
 }  // namespace swathplan

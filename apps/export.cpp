@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "apps/commands.h"
 #include "apps/exports.h"
 #include "io/exports/exportable_route.h"
@@ -28,34 +30,32 @@ void run(const ExportCommand& command) {
   remove_exports(folder, stem, options.formats);
   const auto exported = export_route(folder, stem, route.geographic, route.planar, options);
   if (command.quiet) return;
-  for (const std::string& note : route.notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : route.notes) fmt::print(stderr, "note: {}\n", in_flags(note));
   fmt::print("{}", export_table(exported));
   print_export_warnings(route.planar.route, exported);
 }
 
 }  // namespace
 
-void add_export_command(CLI::App& app) {
-  auto* sub = app.add_subcommand(
-      "export", "Write a route as files that autopilots, chart systems and survey packages read");
+Command export_command() {
   auto command = std::make_shared<ExportCommand>();
-  sub->add_option("ROUTE", command->route, "route.csv, another CSV of points, or GeoJSON")
-      ->required();
-  sub->add_option("--format", command->choice.formats,
-                  "Of " + export_format_names() + "; separated by commas")
-      ->delimiter(',')
-      ->required();
-  sub->add_option("--tolerance", command->choice.tolerance_m,
-                  "Leave out waypoints within this of the way, metres")
-      ->capture_default_str();
-  sub->add_option("--mission-items", command->choice.mission_items,
-                  "waypoints: cut missions into parts of so many items; 0: do not")
-      ->capture_default_str();
-  sub->add_option("--crs", command->crs,
-                  "CRS of x_m,y_m as EPSG:n or WKT, where ROUTE has no longitude and latitude");
-  sub->add_option("-o,--output", command->folder, "Folder for the files (default: that of ROUTE)");
-  sub->add_flag("--quiet", command->quiet, "Print nothing but errors");
-  sub->callback([command] { run(*command); });
+  const std::string group;
+  return {
+      "export",
+      "Write a route as files that autopilots, chart systems and survey packages read",
+      {argument("ROUTE", command->route, "route.csv, another CSV of points, or GeoJSON"),
+       required(texts("--format", group, command->choice.formats,
+                      "Of " + export_format_names() + "; separated by commas", "format")),
+       real("--tolerance", group, command->choice.tolerance_m, kMetres, at_least(0.0),
+            "Leave out waypoints within this of the way, metres", "tolerance_m"),
+       mission_items_option(group, command->choice),
+       text("--crs", group, command->crs,
+            "CRS of x_m,y_m as EPSG:n or WKT, where ROUTE has no longitude and latitude", "crs"),
+       path("-o,--output", group, command->folder, "Folder for the files (default: that of ROUTE)",
+            ""),
+       flag("--quiet", group, command->quiet, "Print nothing but errors", "")},
+      [command] { run(*command); },
+      {}};
 }
 
 }  // namespace swathplan

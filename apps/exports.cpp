@@ -8,25 +8,6 @@
 
 namespace swathplan {
 
-void add_export_options(CLI::App& command, ExportChoice& choice) {
-  const std::string group = "Files for autopilots and survey packages";
-  command
-      .add_option("--export", choice.formats,
-                  "Write the route as these too, separated by commas: " + export_format_names())
-      ->delimiter(',')
-      ->group(group);
-  command
-      .add_option("--export-tolerance", choice.tolerance_m,
-                  "Exported paths leave out waypoints within this of the way, metres")
-      ->capture_default_str()
-      ->group(group);
-  command
-      .add_option("--mission-items", choice.mission_items,
-                  "waypoints: cut missions into parts of so many items; 0: do not")
-      ->capture_default_str()
-      ->group(group);
-}
-
 ExportOptions export_options(const ExportChoice& choice) {
   ExportOptions options{{}, choice.tolerance_m, choice.mission_items};
   for (const std::string& name : choice.formats) options.formats.push_back(export_format(name));
@@ -82,7 +63,8 @@ void print_export_warnings(const Route& route, const std::vector<ExportedRoute>&
         lines, lines == 1 ? "" : "s");
   }
   for (const ExportedRoute& e : exported) {
-    for (const std::string& warning : e.warnings) fmt::print(stderr, "warning: {}\n", warning);
+    for (const std::string& warning : e.warnings)
+      fmt::print(stderr, "warning: {}\n", in_flags(warning));
   }
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -8,16 +7,6 @@
 #include "io/exports/route_export.h"
 
 namespace swathplan {
-
-/// What is asked for on the command line of `plan`, `compare`, `lines` and `export`.
-struct ExportChoice {
-  std::vector<std::string> formats;
-  double tolerance_m = 0.10;
-  std::size_t mission_items = 0;
-};
-
-/// The options of `plan`, `compare` and `lines`, in a group of their own.
-void add_export_options(CLI::App& command, ExportChoice& choice);
 
 /// @throws UsageError that names the option, its value and the rule.
 [[nodiscard]] ExportOptions export_options(const ExportChoice& choice);

@@ -1,29 +1,30 @@
 #include <fmt/format.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.h"
-#include "apps/options.h"
+#include "apps/survey.h"
+#include "io/results/provenance_json.h"
 #include "io/seafloor/inspection.h"
 
 namespace swathplan {
 
-void add_inspect_command(CLI::App& app) {
-  auto* sub = app.add_subcommand(
-      "inspect",
-      "What is in a seafloor file: extent, CRS, depths, mesh health, suggested settings");
+Command inspect_command() {
   auto site = std::make_shared<SiteOptions>();
   auto json = std::make_shared<bool>(false);
-  add_site_options(*sub, *site);
-  sub->add_flag("--json", *json, "Print as JSON");
-  sub->callback([site, json] {
-    const ImportedSeafloor imported = import_seafloor(site->file, import_options(*site));
-    if (*json) {
-      fmt::print("{}\n", inspection_json(imported).dump(2));
-    } else {
-      fmt::print("{}", inspection_text(imported));
-    }
-  });
+  return {"inspect",
+          "What is in a seafloor file: extent, CRS, depths, mesh health, suggested settings",
+          joined({site_options(*site), {flag("--json", "", *json, "Print as JSON", "")}}),
+          [site, json] {
+            const ImportedSeafloor imported = import_seafloor(site->file, import_options(*site));
+            if (*json) {
+              fmt::print("{}", in_flags(json_text(inspection_json(imported))));
+            } else {
+              fmt::print("{}", in_flags(inspection_text(imported)));
+            }
+          },
+          {}};
 }
 
 }  // namespace swathplan

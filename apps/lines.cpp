@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.h"
@@ -19,11 +20,12 @@ namespace {
 
 struct LinesCommand {
   SiteOptions site;
-  SurveyOptions survey;
+  VehicleChoice vehicle;
   OutputOptions output;
   ExportChoice exports;
   std::vector<std::string> methods{"auto"};
   double opening_deg = 120.0, overlap_pct = 0.0, missed_pct = 0.05;
+  std::optional<double> heading_deg;
 };
 
 const std::vector<std::pair<std::string, LineMethod>> kMethods{
@@ -47,32 +49,44 @@ LineMethod method_of(const std::string& name) {
 }
 
 LineDesignOptions design_options(const LinesCommand& c) {
-  if (!(c.opening_deg > 0.0 && c.opening_deg < 180.0)) {
-    throw UsageError(fmt::format(
-        "--max-opening {:g}; must lie between 0 and 180 degrees, both excluded", c.opening_deg));
-  }
   LineDesignOptions options;
   options.overlap = c.overlap_pct / 100.0;
   options.most_missed = c.missed_pct / 100.0;
-  if (c.survey.heading_deg) options.heading = Angle::degrees(*c.survey.heading_deg);
+  if (c.heading_deg) options.heading = Angle::degrees(*c.heading_deg);
   check(options);
   return options;
 }
 
-/// Only what the lines depend on.
-Provenance provenance(const LinesCommand& c, const std::string& hash, double draft_m) {
-  Provenance p;
-  p.version = SWATHPLAN_VERSION;
-  p.command = "lines";
-  p.input_file = c.site.file.string();
-  p.input_hash = hash;
-  p.options = {{"max_opening_deg", c.opening_deg},
-               {"draft_m", draft_m},
-               {"overlap_pct", c.overlap_pct},
-               {"missed_pct", c.missed_pct},
-               {"run_out_margin_m", c.site.run_out_margin_m}};
-  if (c.survey.heading_deg) p.options.emplace_back("heading_deg", *c.survey.heading_deg);
-  return p;
+/// The rows of this command alone.
+OptionTable own_options(LinesCommand& c) {
+  const std::string group = "Lines";
+  return {texts("--method", group, c.methods, "Of " + method_names() + "; separated by commas",
+                "method"),
+          real("--max-opening", group, c.opening_deg, kDegrees, between(0.0, 180.0),
+               "Full opening angle of the fan, degrees", "max_opening_deg"),
+          real("--overlap", group, c.overlap_pct, kPerCent, within(0.0, 40.0),
+               "Per cent of its swath that a line shares with its neighbour", "overlap_pct"),
+          real("--missed", group, c.missed_pct, kPerCent, between(0.0, 100.0),
+               "Per cent of the area that may be missed", "missed_pct"),
+          real("--heading", group, c.heading_deg, kDegrees, any_number(),
+               "Azimuth of straight lines, degrees (default: searched)", "heading_deg")};
+}
+
+/// What of the vehicle the lines depend on.
+OptionTable boat_options(VehicleChoice& vehicle) {
+  return only(vehicle_options(vehicle),
+              {"--vehicle", "--draft", "--margin", "--squat", "--clearance", "--turn-radius",
+               "--speed", "--transit-speed"});
+}
+
+Provenance provenance_of(const LinesCommand& c, const Vehicle& vehicle, const std::string& hash) {
+  Provenance provenance = provenance_of("lines", c.site, hash);
+  LinesCommand typed = c;
+  VehicleChoice now = in_force(c.vehicle, vehicle);
+  record(provenance, own_options(typed));
+  record(provenance, boat_options(typed.vehicle), boat_options(now));
+  record(provenance, exporting_options(typed.exports));
+  return provenance;
 }
 
 nlohmann::ordered_json figures_json(const std::string& method, const DesignedLines& d) {
@@ -103,13 +117,13 @@ std::string missed_note(const std::string& method, const DesignedLines& d, doubl
 }
 
 void write_lines(const std::filesystem::path& folder, const DesignedLines& designed,
-                 const Site& site, const DesignGround& judge, const LinesCommand& c) {
+                 const Site& site, const DesignGround& judge, const Vehicle& vehicle,
+                 const ExportOptions& exports, const LinesCommand& c) {
   const Frame& frame = site.seafloor().frame;
-  const Route route =
-      route_of(designed, site.water, Angle::degrees(c.opening_deg), vehicle_of(c.survey));
+  const Route route = route_of(designed, site.water, Angle::degrees(c.opening_deg), vehicle);
   write_route_csv(folder / "route.csv", route, frame);
   write_route_geojson(folder, route, frame);
-  write_exports(folder, route, site, export_options(c.exports), c.output.quiet);
+  write_exports(folder, route, site, exports, c.output.quiet);
   write_lines_png(folder / "lines.png", judge.swaths, designed.lines,
                   fmt::format("{}\n{:.1f} km, {:.3f} of the least, {:.3f} % missed", designed.what,
                               designed.figures.length_m / 1000.0, designed.figures.ratio(),
@@ -120,15 +134,17 @@ void run(const LinesCommand& c) {
   LineDesignOptions options = design_options(c);
   for (const std::string& name : c.methods) static_cast<void>(method_of(name));
   const ExportOptions exports = export_options(c.exports);
-  const Vehicle vehicle = vehicle_of(c.survey);
+  const Vehicle vehicle = vehicle_of(c.vehicle);
   const auto site = load_site(c.site, vehicle);
   check_export_crs(exports.formats, site->seafloor().frame);
   print_notes(*site, c.output.quiet);
-  const PlanningGround planning = site->planning_ground(nullptr);
+  check_folder(c.output.folder);
+  const Ground planning = site->ground(nullptr);
   const Angle opening = Angle::degrees(c.opening_deg);
   const DesignGround search(planning, opening, vehicle.draft_m, kSearchCells);
   const DesignGround judge(planning, opening, vehicle.draft_m, kJudgeCells);
-  auto json = internal::to_json(provenance(c, site->imported.input_hash, vehicle.draft_m));
+  const Provenance provenance = provenance_of(c, vehicle, site->imported.input_hash);
+  auto json = provenance_json(provenance);
   json["methods"] = nlohmann::ordered_json::array();
   std::string table =
       fmt::format("{:<15} {:>6} {:>6} {:>11} {:>8} {:>9} {:>9}  {}\n", "method", "lines", "passes",
@@ -137,14 +153,15 @@ void run(const LinesCommand& c) {
   for (const std::string& name : c.methods) {
     options.method = method_of(name);
     const DesignedLines designed = design_lines(planning, search, judge, options);
-    write_lines(c.output.folder / name, designed, *site, judge, c);
+    write_lines(c.output.folder / name, designed, *site, judge, vehicle, exports, c);
     json["methods"].push_back(figures_json(name, designed));
     table += row(name, designed);
     notes += missed_note(name, designed, 100.0 * options.most_missed);
   }
-  write_text_atomically(c.output.folder / "lines.json", internal::json_text(json));
+  write_text_atomically(c.output.folder / "lines.json", json_text(json));
+  write_survey_toml(c.output.folder, provenance);
   if (c.output.json) {
-    fmt::print("{}", internal::json_text(json));
+    fmt::print("{}", json_text(json));
   } else if (!c.output.quiet) {
     fmt::print(stderr, "{}", notes);
     fmt::print("{}ratio: of the length to the area's integral of 1/W, turns left out\n", table);
@@ -153,42 +170,15 @@ void run(const LinesCommand& c) {
 
 }  // namespace
 
-void add_lines_command(CLI::App& app) {
-  auto* sub = app.add_subcommand(
-      "lines", "Lay survey lines in open water: swaths without rays, turns left out");
+Command lines_command() {
   auto command = std::make_shared<LinesCommand>();
-  add_site_options(*sub, command->site);
-  const std::string group = "Lines";
-  sub->add_option("--method", command->methods, "Of " + method_names() + "; separated by commas")
-      ->delimiter(',')
-      ->capture_default_str()
-      ->group(group);
-  sub->add_option("--max-opening", command->opening_deg, "Full opening angle of the fan, degrees")
-      ->capture_default_str()
-      ->group(group);
-  sub->add_option("--overlap", command->overlap_pct,
-                  "Per cent of its swath that a line shares with its neighbour")
-      ->capture_default_str()
-      ->group(group);
-  sub->add_option("--missed", command->missed_pct, "Per cent of the area that may be missed")
-      ->capture_default_str()
-      ->group(group);
-  sub->add_option("--heading", command->survey.heading_deg,
-                  "Azimuth of straight lines, degrees (default: searched)")
-      ->group(group);
-  sub->add_option("--vehicle", command->survey.vehicle, "Vehicle preset")
-      ->capture_default_str()
-      ->group(group);
-  sub->add_option("--draft", command->survey.draft_m, "Draft and depth of the sonar, metres")
-      ->group(group);
-  sub->add_option("--margin", command->survey.margin_m, "Water wanted below the keel, metres")
-      ->group(group);
-  sub->add_option("--clearance", command->survey.clearance_m,
-                  "Kept from walls, shoals and no-go areas, metres")
-      ->group(group);
-  add_export_options(*sub, command->exports);
-  add_output_options(*sub, command->output);
-  sub->callback([command] { run(*command); });
+  return {
+      "lines",
+      "Lay survey lines in open water: swaths without rays, turns left out",
+      joined({site_options(command->site), own_options(*command), boat_options(command->vehicle),
+              exporting_options(command->exports), output_options(command->output)}),
+      [command] { run(*command); },
+      {}};
 }
 
 }  // namespace swathplan

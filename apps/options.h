@@ -1,62 +1,85 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "coverage/score.h"
-#include "io/results/provenance.h"
-#include "io/seafloor/import_seafloor.h"
-#include "planners/plan.h"
+#include "apps/option_table.h"
 
+// What may be typed, as it is typed, and the rows of the table that fill it. survey.h resolves it.
 namespace swathplan {
 
 /// How the seafloor file is read and what bounds the survey.
 struct SiteOptions {
   std::filesystem::path file;
   std::string crs;
-  double water_level = 0.0;
+  double water_level_m = 0.0;
   std::string z_positive = "up";
-  std::string z_unit = "metre";
+  double z_unit_m = 1.0;
   std::optional<double> xy_unit_m, longest_edge_m, nodata_value;
   std::filesystem::path area, no_go;
-  double run_out_margin_m = 0.0;  ///< beyond the data's edge where the boat may turn
+  std::vector<std::string> layers;  ///< of these files; empty: the only one
+  double buffer_m = 0.0;            ///< room around their lines and points; 0: these do not count
+  double run_out_margin_m = 0.0;    ///< beyond the data's edge where the boat may turn
 };
 
-/// What is planned and scored with. Text where the command line takes text; resolved() checks it.
-struct SurveyOptions {
-  double resolution_m = 0.10;
-  double ping_spacing_m = 0.10;
-  std::string sonar = "norbit-iwbms";
+/// A preset and what overrides it.
+struct SonarChoice {
+  std::string preset = "norbit-iwbms";
   std::optional<int> beams;
-  std::optional<double> max_opening_deg;
   std::string beam_spacing = "equiangular";
-  std::string vehicle = "wam-v";
-  std::optional<double> draft_m, margin_m, squat_m, clearance_m;
-  std::optional<double> speed_mps, turn_speed_mps, transit_speed_mps, turn_radius_m;
+  std::optional<double> max_opening_deg;
+};
+
+/// A preset and what overrides it.
+struct VehicleChoice {
+  std::string preset = "wam-v";
+  std::optional<double> draft_m, margin_m, squat_m, clearance_m, turn_radius_m;
+  std::optional<double> speed_mps, turn_speed_mps, transit_speed_mps;
   std::optional<double> endurance_h, contingency_pct, power_w;
-  double run_in_m = 0.0, run_out_m = 0.0;
-  std::string smooth = "none";
+};
+
+/// Tracking errors: a preset and what overrides it.
+struct NoiseChoice {
+  std::string preset = "none";
+  std::optional<double> lateral_sigma_m, heading_sigma_deg, roll_sigma_deg, heave_sigma_m;
+  std::uint64_t seed = 1;
+};
+
+/// How routes are scored.
+struct ScoringChoice {
+  double resolution_m = 0.10, ping_spacing_m = 0.10;
+  std::string nodata = "wall";
+  double holiday_m2 = 1.0;
+  bool hit_only = false;
+  int threads = 0;
+};
+
+/// How routes are planned.
+struct PlanningChoice {
   std::string depth_bands = "2";
   std::optional<double> smallest_region_m2;
   std::string faces = "triangle";
   std::optional<double> face_size;
-  std::string opening = "region";
+  std::string opening = "region", smooth = "none";
+  double run_in_m = 0.0, run_out_m = 0.0;
   std::string start;
   std::optional<double> heading_deg;
   std::string lines = "auto";
   std::optional<double> goal_coverage_pct, goal_length_m, goal_time_h;
   std::string cover = "hit";
   double line_margin_pct = 0.0;
-  std::string nodata = "wall";
-  std::string noise = "none";
-  std::optional<double> lateral_sigma_m, heading_sigma_deg, roll_sigma_deg, heave_sigma_m;
-  double holiday_m2 = 1.0;
-  bool hit_only = false;
-  std::uint64_t seed = 1;
-  int threads = 0;
+};
+
+/// What is planned and scored with.
+struct SurveyOptions {
+  SonarChoice sonar;
+  VehicleChoice vehicle;
+  NoiseChoice noise;
+  ScoringChoice scoring;
+  PlanningChoice planning;
 };
 
 struct OutputOptions {
@@ -64,21 +87,29 @@ struct OutputOptions {
   bool json = false, quiet = false;
 };
 
-void add_site_options(CLI::App& command, SiteOptions& options);
-void add_planning_options(CLI::App& command, SurveyOptions& options);
-void add_scoring_options(CLI::App& command, SurveyOptions& options);
-void add_output_options(CLI::App& command, OutputOptions& options);
+/// The files that other programs read, of `plan`, `compare`, `lines` and `export`.
+struct ExportChoice {
+  std::vector<std::string> formats;
+  double tolerance_m = 0.10;
+  std::uint64_t mission_items = 0;
+};
 
-/// @throws UsageError that names the option, its value and the rule.
-[[nodiscard]] ImportOptions import_options(const SiteOptions& options);
-/// `frame` turns --start from file coordinates into local ones.
-[[nodiscard]] PlanOptions plan_options(const SurveyOptions& options, const Frame& frame);
-[[nodiscard]] ScoreOptions score_options(const SurveyOptions& options);
-[[nodiscard]] Vehicle vehicle_of(const SurveyOptions& options);
-[[nodiscard]] Sonar sonar_of(const SurveyOptions& options);
+/// FILE and how to read it; optional where a command works without.
+[[nodiscard]] OptionTable site_options(SiteOptions& site, bool with_file = true);
+[[nodiscard]] OptionTable vehicle_options(VehicleChoice& vehicle);
+/// Scoring, sonar, vehicle and tracking errors.
+[[nodiscard]] OptionTable scoring_options(SurveyOptions& survey);
+[[nodiscard]] OptionTable planning_options(PlanningChoice& planning);
+/// Of `plan`, `compare` and `lines`, in a group of their own.
+[[nodiscard]] OptionTable exporting_options(ExportChoice& choice);
+/// The row that `export` shares with them.
+[[nodiscard]] Option mission_items_option(const std::string& group, ExportChoice& choice);
+[[nodiscard]] OptionTable output_options(OutputOptions& output);
 
-/// The options as they were in force, for the provenance in outputs.
-[[nodiscard]] Provenance provenance_of(const std::string& command, const SiteOptions& site,
-                                       const SurveyOptions& survey, const std::string& input_hash);
+/// The sentence with its '<z unit>' as '--z-unit': libraries do not know flags and write the names
+/// of options between these brackets. Names that are none lose their brackets only.
+[[nodiscard]] std::string in_flags(const std::string& sentence);
+/// What an error says, in flags.
+[[nodiscard]] std::string in_flags(const std::exception& error);
 
 }  // namespace swathplan

@@ -4,7 +4,8 @@
 
 #include "io/exports/route_export.h"
 #include "io/files/atomic_file.h"
-#include "io/pictures/coverage_raster.h"
+#include "io/pictures/coverage_png.h"
+#include "io/pictures/coverage_tif.h"
 #include "io/report/report.h"
 #include "io/results/holidays_geojson.h"
 #include "io/results/plan_json.h"
@@ -15,44 +16,6 @@
 #include "planners/wording.h"
 
 namespace swathplan {
-namespace {
-
-std::pair<Vec2, Vec2> ends(const Plan& plan, std::uint32_t edge) {
-  const SharedEdge& e = plan.edges[edge];
-  const auto& face = plan.mesh.faces[e.face[0]];
-  return {plan.mesh.vertices[face[e.edge[0]]],
-          plan.mesh.vertices[face[(e.edge[0] + 1) % face.size()]]};
-}
-
-std::vector<FanAngles> fans(const Plan& plan) {
-  std::vector<FanAngles> result;
-  for (const Angle opening : plan.openings) result.push_back({opening / 2.0, opening / 2.0});
-  return result;
-}
-
-/// The plan whose regions and gates the report draws: the last one that has gates, else regions.
-const Plan* plan_with_regions(const std::vector<PlannedSurvey>& surveys) {
-  const Plan* best = nullptr;
-  for (const PlannedSurvey& survey : surveys) {
-    const bool gates = !survey.plan.gates.gates.empty();
-    if (survey.plan.regions.regions.empty()) continue;
-    if (best == nullptr || gates) best = &survey.plan;
-  }
-  return best;
-}
-
-void add_regions(const Plan& plan, ReportSite& site) {
-  for (std::size_t r = 0; r < plan.regions.regions.size(); ++r) {
-    const DepthRegion& region = plan.regions.regions[r];
-    site.regions.push_back({region_outline(plan.mesh, region), region.band, region.mean_depth_m,
-                            plan.openings[r].deg()});
-  }
-  for (const Gate& gate : plan.gates.gates) site.gates.push_back(ends(plan, gate.edge));
-  for (const std::uint32_t edge : plan.gates.blocked_edges)
-    site.blocked_edges.push_back(ends(plan, edge));
-}
-
-}  // namespace
 
 void check_folder(const std::filesystem::path& folder) {
   std::error_code ignored;
@@ -78,7 +41,7 @@ void remove_old(const std::filesystem::path& folder, const std::vector<std::stri
 }
 
 void write_survey(const std::filesystem::path& folder, const PlannedSurvey& survey,
-                  const Site& site, const SurveyOptions& options, const Provenance& provenance) {
+                  const Site& site, const Provenance& provenance) {
   const Frame& frame = site.seafloor().frame;
   // Left by a run on other data: with a CRS where this has none, or without.
   remove_old(folder,
@@ -88,26 +51,16 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
   remove_exports(folder, "route", all_export_formats());
   write_route_csv(folder / "route.csv", survey.plan.route, frame);
   write_route_geojson(folder, survey.plan.route, frame);
-  write_score_json(folder / "score.json", survey.planner, survey.scored.score, provenance);
-  PlanFacts facts = plan_facts(survey.planner, survey.plan.mesh, survey.plan.edges,
-                               survey.plan.regions, survey.plan.gates, fans(survey.plan));
-  facts.sonar = sonar_of(options);
-  facts.vehicle = vehicle_of(options);
-  facts.choices = survey.plan.choices;
-  facts.chosen = survey.plan.chosen;
-  facts.chosen_why = survey.plan.chosen_why;
-  facts.violations = plan_violations(survey.plan.route, facts.vehicle, site.water);
-  facts.notes = survey.plan.notes;
-  facts.notes.insert(facts.notes.end(), site.notes.begin(), site.notes.end());
-  write_plan_json(folder / "plan.json", facts, frame, provenance);
+  write_score_json(folder / "score.json", survey.record.planner, survey.scored.score, provenance);
+  write_plan_json(folder / "plan.json", survey.record, frame, provenance);
   write_coverage_tif(folder / "coverage.tif", survey.scored.grid, frame);
-  write_coverage_png(folder / "coverage.png", survey.scored.grid, survey.label);
+  write_coverage_png(folder / "coverage.png", survey.scored.grid, survey.record.label);
   write_holidays_geojson(folder, survey.scored.score.holidays, frame);
 }
 
 void write_survey_report(const std::filesystem::path& file, const std::string& title,
                          const std::vector<PlannedSurvey>& surveys, const Site& site,
-                         const SurveyOptions& options, const Provenance& provenance) {
+                         const Provenance& provenance) {
   ReportSite report;
   report.title = title;
   report.seafloor = &site.seafloor();
@@ -115,15 +68,11 @@ void write_survey_report(const std::filesystem::path& file, const std::string& t
   report.survey_area = site.survey_area;
   report.water = site.water;
   report.no_go = site.no_go;
-  report.vehicle = vehicle_of(options);
   report.provenance = provenance;
-  if (const Plan* plan = plan_with_regions(surveys)) add_regions(*plan, report);
   std::vector<ReportPlan> plans;
   for (const PlannedSurvey& s : surveys) {
-    std::vector<std::string> notes = s.plan.notes;
-    notes.insert(notes.end(), site.notes.begin(), site.notes.end());
-    plans.push_back({s.label, &s.plan.route, &s.scored.score, &s.scored.grid, s.planning_seconds,
-                     std::move(notes), s.plan.choices, s.plan.chosen, s.plan.chosen_why});
+    plans.push_back(
+        {&s.record, &s.plan.route, &s.scored.score, &s.scored.grid, s.planning_seconds});
   }
   write_report(file, report, plans);
 }
@@ -138,10 +87,10 @@ std::string table(const std::vector<PlannedSurvey>& surveys) {
     text += fmt::format(
         "{:<16}{:>9.2f}{:>9.2f}{:>11}{:>9.0f}{:>8.2f}{:>9.2f}{:>10}{:>10}{:>10.1f}{:>9.1f}{:>8}{"
         ":>8.2f}\n",
-        s.label, score.all.hit_pct, score.logged.hit_pct,
+        s.record.label, score.all.hit_pct, score.logged.hit_pct,
         score.all.footprint_pct ? fmt::format("{:.2f}", *score.all.footprint_pct) : "-",
         score.route.length_m, score.route.length_ratio, score.overlap, score.route.turns,
-        score.holidays.list.size(), score.route.outside_water_m, score.route.tight_turn_m,
+        score.holidays.count, score.route.outside_water_m, score.route.tight_turn_m,
         score.route.infeasible_legs, score.route.duration_s / 3600.0);
   }
   return text;
@@ -164,10 +113,11 @@ std::string choices_table(const Plan& plan) {
 
 void print_notes(const Site& site, bool quiet) {
   if (quiet) return;
-  for (const std::string& note : site.imported.notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : site.imported.notes)
+    fmt::print(stderr, "note: {}\n", in_flags(note));
   for (const std::string& note : site.notes) fmt::print(stderr, "note: {}\n", note);
   for (const std::string& warning : warnings_of(site.imported))
-    fmt::print(stderr, "warning: {}\n", warning);
+    fmt::print(stderr, "warning: {}\n", in_flags(warning));
 }
 
 }  // namespace swathplan

@@ -16,12 +16,12 @@ void remove_old(const std::filesystem::path& folder, const std::vector<std::stri
 /// Writes route, score, plan, coverage and holidays of one survey into `folder`; exports of an
 /// older route go.
 void write_survey(const std::filesystem::path& folder, const PlannedSurvey& survey,
-                  const Site& site, const SurveyOptions& options, const Provenance& provenance);
+                  const Site& site, const Provenance& provenance);
 
 /// Writes the report over one or several surveys.
 void write_survey_report(const std::filesystem::path& file, const std::string& title,
                          const std::vector<PlannedSurvey>& surveys, const Site& site,
-                         const SurveyOptions& options, const Provenance& provenance);
+                         const Provenance& provenance);
 
 /// The table that `plan`, `compare` and `score` print.
 [[nodiscard]] std::string table(const std::vector<PlannedSurvey>& surveys);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "apps/commands.h"
 #include "apps/exports.h"
 #include "apps/outputs.h"
@@ -16,30 +18,47 @@ struct PlanCommand {
   std::string planner = "fitted-lines";
 };
 
+/// The rows of this command alone.
+OptionTable own_options(PlanCommand& command) {
+  std::vector<std::string> names;
+  for (const Planner& p : planners()) names.push_back(p.name);
+  return {choice("--planner", "Planning", command.planner, names, "What plans", "planner")};
+}
+
+Provenance provenance_of(const PlanCommand& command, const Survey& survey,
+                         const std::string& input_hash) {
+  Provenance provenance = provenance_of("plan", command.site, input_hash);
+  PlanCommand typed = command;
+  record_scoring(provenance, typed.survey, survey);
+  record(provenance, own_options(typed));
+  record_planning(provenance, typed.survey, survey);
+  record(provenance, exporting_options(typed.exports));
+  return provenance;
+}
+
 void run(const PlanCommand& command) {
+  // Everything typed is resolved and checked before any work.
   const Planner& chosen = planner(command.planner);
-  // Everything typed is checked before any work.
-  static_cast<void>(plan_options(command.survey, {}));
-  static_cast<void>(score_options(command.survey));
+  const Survey survey = survey_of(command.survey);
   const ExportOptions exports = export_options(command.exports);
-  const auto site = load_site(command.site, vehicle_of(command.survey));
+  const auto site = load_site(command.site, survey.vehicle);
   check_export_crs(exports.formats, site->seafloor().frame);
-  note_reach(*site, command.survey);
+  note_reach(*site, survey);
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
-  const Provenance provenance =
-      provenance_of("plan", command.site, command.survey, site->imported.input_hash);
+  const Provenance provenance = provenance_of(command, survey, site->imported.input_hash);
   std::vector<PlannedSurvey> surveys;
   {
-    const Scorer scorer(*site, command.survey, command.output.quiet);
-    surveys.push_back(plan_and_score(chosen, *site, command.survey, scorer));
+    const Scorer scorer(*site, survey, command.output.quiet);
+    surveys.push_back(plan_and_score(chosen, *site, survey, scorer));
   }
   const std::filesystem::path& folder = command.output.folder;
-  write_survey(folder, surveys[0], *site, command.survey, provenance);
+  write_survey(folder, surveys[0], *site, provenance);
+  write_survey_toml(folder, provenance);
   write_exports(folder, surveys[0].plan.route, *site, exports, command.output.quiet);
   const std::string title =
       fmt::format("{}: {}", command.site.file.filename().string(), chosen.label);
-  write_survey_report(folder / "report.html", title, surveys, *site, command.survey, provenance);
+  write_survey_report(folder / "report.html", title, surveys, *site, provenance);
   for (const std::string& note : surveys[0].plan.notes) {
     if (!command.output.quiet) fmt::print(stderr, "note: {}\n", note);
   }
@@ -53,18 +72,15 @@ void run(const PlanCommand& command) {
 
 }  // namespace
 
-void add_plan_command(CLI::App& app) {
-  auto* sub = app.add_subcommand("plan", "Plan a survey with one planner: route, score, report");
+Command plan_command() {
   auto command = std::make_shared<PlanCommand>();
-  add_site_options(*sub, command->site);
-  std::string names;
-  for (const Planner& p : planners()) names += (names.empty() ? "" : ", ") + p.name;
-  sub->add_option("--planner", command->planner, "One of " + names)->capture_default_str();
-  add_planning_options(*sub, command->survey);
-  add_scoring_options(*sub, command->survey);
-  add_export_options(*sub, command->exports);
-  add_output_options(*sub, command->output);
-  sub->callback([command] { run(*command); });
+  return {"plan",
+          "Plan a survey with one planner: route, score, report",
+          joined({site_options(command->site), scoring_options(command->survey),
+                  own_options(*command), planning_options(command->survey.planning),
+                  exporting_options(command->exports), output_options(command->output)}),
+          [command] { run(*command); },
+          {}};
 }
 
 }  // namespace swathplan

@@ -21,15 +21,15 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void check_scale(const Site& site, const SurveyOptions& options) {
+void check_scale(const Site& site, const Survey& survey) {
   const Vec2 size = extent(site.survey_area).size();
-  if (options.resolution_m > size.maxCoeff()) {
+  if (survey.scoring.resolution_m > size.maxCoeff()) {
     throw UsageError(
         fmt::format("--resolution {:g}; the survey area of {:.1f} x {:.1f} m is smaller "
                     "than one such cell",
-                    options.resolution_m, size.x(), size.y()));
+                    survey.scoring.resolution_m, size.x(), size.y()));
   }
-  const Sonar sonar = sonar_of(options);
+  const Sonar& sonar = survey.sonar;
   const double shoalest = depth_range(site.seafloor()).min;
   if (shoalest > sonar.max_range_m) {
     throw InvalidInput(fmt::format(
@@ -41,8 +41,8 @@ void check_scale(const Site& site, const SurveyOptions& options) {
 
 }  // namespace
 
-void note_reach(Site& site, const SurveyOptions& options) {
-  const PlanOptions how = plan_options(options, site.seafloor().frame);
+void note_reach(Site& site, const Survey& survey) {
+  const PlanOptions& how = survey.planning;
   const double width = footprint_width_m(how);
   const double depth = depth_range(site.seafloor()).mean - how.vehicle.draft_m;
   const double reach = 2.0 * depth * tan(how.sonar.max_opening / 2.0);
@@ -55,7 +55,7 @@ void note_reach(Site& site, const SurveyOptions& options) {
       "gaps, and length ratios count in swaths that cannot be had; finer cells (--resolution) "
       "bring "
       "lines closer",
-      width, how.sonar.beams, options.resolution_m, how.sonar.max_opening.deg(), reach));
+      width, how.sonar.beams, how.resolution_m, how.sonar.max_opening.deg(), reach));
 }
 
 const std::vector<Planner>& planners() {
@@ -80,22 +80,21 @@ const Planner& planner(const std::string& name) {
       fmt::format("'{}' is not a planner; choose one of {}", name, fmt::join(names, ", ")));
 }
 
-Scorer::Scorer(const Site& site, const SurveyOptions& options, bool quiet)
-    : options_(&options),
-      score_options_(score_options(options)),
-      scene_(site.seafloor(), score_options_.nodata),
-      ground_{&site.seafloor(), site.depths.get(), &scene_, site.survey_area, site.water},
+Scorer::Scorer(const Site& site, const Survey& survey, bool quiet)
+    : survey_(&survey),
+      scene_(site.seafloor(), survey.scoring.nodata),
+      ground_(site.ground(&scene_)),
       quiet_(quiet) {
   // What cannot be scored is refused before any planner works for it.
-  static_cast<void>(grid_size(site.survey_area, options.resolution_m));
-  check_scale(site, options);
+  static_cast<void>(grid_size(site.survey_area, survey.scoring.resolution_m));
+  check_scale(site, survey);
 }
 
 ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
   ProgressBar bar(label, quiet_);
-  ScoreOptions options = score_options_;
+  ScoreOptions options = survey_->scoring;
   options.progress = [&](double share, std::uint64_t rays) { bar.show(share, rays); };
-  return swathplan::score(route, ground_, sonar_of(*options_), vehicle_of(*options_), options);
+  return swathplan::score(route, ground_, survey_->sonar, survey_->vehicle, options);
 }
 
 void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
@@ -104,16 +103,26 @@ void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
   if (!note.empty()) notes.push_back(std::move(note));
 }
 
-PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const SurveyOptions& options,
+PlannedSurvey recorded(const std::string& planner, const std::string& label, Plan plan,
+                       ScoredRoute scored, const Site& site, const Survey& survey) {
+  PlannedSurvey result{plan_record(plan, survey.sonar, survey.vehicle, site.water), std::move(plan),
+                       std::move(scored)};
+  result.record.planner = planner;
+  result.record.label = label;
+  result.record.notes.insert(result.record.notes.end(), site.notes.begin(), site.notes.end());
+  return result;
+}
+
+PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Survey& survey,
                              const Scorer& scorer) {
   const auto start = std::chrono::steady_clock::now();
-  const PlanOptions how = plan_options(options, site.seafloor().frame);
-  Plan plan = planner.plan(site.planning_ground(&scorer.scene()), how);
+  const PlanOptions how = planning_in(survey, site.seafloor().frame);
+  Plan plan = planner.plan(scorer.ground(), how);
   if (how.start && !contains(site.water, *how.start) && !plan.route.waypoints.empty()) {
     const Vec2 first = site.seafloor().frame.to_file(plan.route.waypoints.front().position);
     plan.notes.push_back(
         fmt::format("--start {} is not in safe water; the route begins at {:.1f},{:.1f}",
-                    options.start, first.x(), first.y()));
+                    survey.start_text, first.x(), first.y()));
   }
   if (plan.route.waypoints.size() < 2) {
     throw InvalidInput(
@@ -123,11 +132,12 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
                     how.resolution_m));
   }
   const double planning = seconds_since(start);
-  const auto planned = std::chrono::steady_clock::now();
   ScoredRoute scored = scorer.score(planner.label, plan.route);
   note_endurance(scored.score.route, how.vehicle, plan.notes);
-  return {planner.name,      planner.label, std::move(plan),
-          std::move(scored), planning,      seconds_since(planned)};
+  PlannedSurvey planned =
+      recorded(planner.name, planner.label, std::move(plan), std::move(scored), site, survey);
+  planned.planning_seconds = planning;
+  return planned;
 }
 
 }  // namespace swathplan

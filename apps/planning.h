@@ -5,6 +5,7 @@
 
 #include "apps/site.h"
 #include "coverage/score.h"
+#include "io/results/plan_record.h"
 #include "planners/plan.h"
 
 namespace swathplan {
@@ -12,39 +13,44 @@ namespace swathplan {
 /// A planner's name and function; the one list that `plan` and `compare` know.
 struct Planner {
   std::string name, label;
-  Plan (*plan)(const PlanningGround&, const PlanOptions&);
+  Plan (*plan)(const Ground&, const PlanOptions&);
   bool usual = true;  ///< compared when no planners are named
 };
 [[nodiscard]] const std::vector<Planner>& planners();
 /// @throws UsageError for a name that is none, listing those that are.
 [[nodiscard]] const Planner& planner(const std::string& name);
 
-/// A plan that was made and scored.
+/// A plan that was made and scored, with what is told of it.
 struct PlannedSurvey {
-  std::string planner, label;
+  PlanRecord record;
   Plan plan;
   ScoredRoute scored;
-  double planning_seconds = 0.0, scoring_seconds = 0.0;
+  double planning_seconds = 0.0;
 };
+/// Puts it on record: under its name and label, with the notes of the plan and then of the site.
+[[nodiscard]] PlannedSurvey recorded(const std::string& planner, const std::string& label,
+                                     Plan plan, ScoredRoute scored, const Site& site,
+                                     const Survey& survey);
 
 /// Notes what the survey asks of the sonar that it cannot do: a footprint width that its fan does
 /// not sweep.
-void note_reach(Site& site, const SurveyOptions& options);
+void note_reach(Site& site, const Survey& survey);
 
 /// What routes of one command are scored on, built once.
 /// @throws UsageError for cells larger than the area or too many of them; InvalidInput for a
 /// seafloor beyond the sonar's range.
 class Scorer {
  public:
-  Scorer(const Site& site, const SurveyOptions& options, bool quiet);
-  [[nodiscard]] const RayScene& scene() const { return scene_; }
+  Scorer(const Site& site, const Survey& survey, bool quiet);
+  Scorer(const Scorer&) = delete;  // its ground points to its scene
+  Scorer& operator=(const Scorer&) = delete;
+  [[nodiscard]] const Ground& ground() const { return ground_; }
   [[nodiscard]] ScoredRoute score(const std::string& label, const Route& route) const;
 
  private:
-  const SurveyOptions* options_;
-  ScoreOptions score_options_;
+  const Survey* survey_;
   RayScene scene_;
-  ScoringGround ground_;
+  Ground ground_;
   bool quiet_;
 };
 
@@ -53,6 +59,6 @@ void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
                     std::vector<std::string>& notes);
 
 [[nodiscard]] PlannedSurvey plan_and_score(const Planner& planner, const Site& site,
-                                           const SurveyOptions& options, const Scorer& scorer);
+                                           const Survey& survey, const Scorer& scorer);
 
 }  // namespace swathplan

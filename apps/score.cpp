@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "apps/commands.h"
 #include "apps/outputs.h"
 #include "io/results/score_json.h"
@@ -20,17 +22,31 @@ struct ScoreCommand {
   bool infill = false;
 };
 
+/// The rows of this command alone.
+OptionTable own_options(ScoreCommand& command) {
+  return {real("--opening-angle", "Route", command.opening_deg, kDegrees, between(0.0, 180.0),
+               "Full opening angle where ROUTE has none, degrees (default: W at the mean depth)",
+               "opening_angle_deg"),
+          flag("--infill", "Route", command.infill,
+               "Also add passes over the gaps: a second route, in the folder 'infill'", "infill")};
+}
+
+Provenance provenance_of(const ScoreCommand& command, const Survey& survey,
+                         const std::string& input_hash) {
+  Provenance provenance = provenance_of("score", command.site, input_hash);
+  ScoreCommand typed = command;
+  record_scoring(provenance, typed.survey, survey);
+  record(provenance, own_options(typed));
+  return provenance;
+}
+
 /// The fan for routes that do not say: --opening-angle, else W at the mean depth.
-FanAngles default_fan(const ScoreCommand& command, const Site& site) {
+FanAngles default_fan(const ScoreCommand& command, const Survey& survey, const Site& site) {
   if (command.opening_deg) {
     const double opening = *command.opening_deg;
-    if (!(opening > 0.0 && opening < 180.0)) {
-      throw UsageError(fmt::format(
-          "--opening-angle {:g}; must lie between 0 and 180 degrees, both excluded", opening));
-    }
     return {Angle::degrees(opening / 2.0), Angle::degrees(opening / 2.0)};
   }
-  return fan_for_depth(plan_options(command.survey, {}), depth_range(site.seafloor()).mean);
+  return fan_for_depth(survey.planning, depth_range(site.seafloor()).mean);
 }
 
 /// A route that nowhere comes near the data is in another CRS or of another place.
@@ -51,10 +67,8 @@ void check_meets_data(const Route& route, const Site& site, const std::filesyste
 }
 
 /// The route with extra passes over its gaps.
-Plan with_passes(const Plan& plan, const ScoreCommand& command, const Site& site,
-                 const Scorer& scorer) {
-  InfilledRoute filled = infilled(plan.route, site.planning_ground(&scorer.scene()),
-                                  plan_options(command.survey, site.seafloor().frame));
+Plan with_passes(const Plan& plan, const Survey& survey, const Scorer& scorer) {
+  InfilledRoute filled = infilled(plan.route, scorer.ground(), survey.planning);
   Plan result;
   result.route = std::move(filled.built.route);
   result.notes = std::move(filled.built.notes);
@@ -70,50 +84,52 @@ void print_notes(const std::vector<PlannedSurvey>& surveys) {
       if (surveys.size() == 1)
         fmt::print(stderr, "note: {}\n", note);
       else
-        fmt::print(stderr, "note: {}: {}\n", survey.label, note);
+        fmt::print(stderr, "note: {}: {}\n", survey.record.label, note);
     }
   }
 }
 
 void run(const ScoreCommand& command) {
-  static_cast<void>(score_options(command.survey));
-  const Vehicle vehicle = vehicle_of(command.survey);
+  const Survey survey = survey_of(command.survey);
+  const Vehicle& vehicle = survey.vehicle;
   const auto site = load_site(command.site, vehicle);
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
-  const Provenance provenance =
-      provenance_of("score", command.site, command.survey, site->imported.input_hash);
+  const Provenance provenance = provenance_of(command, survey, site->imported.input_hash);
   const ImportedRoute route =
       read_route(command.route, site->seafloor().frame,
-                 {.fan = default_fan(command, *site), .speed_mps = vehicle.speed_mps});
+                 {.fan = default_fan(command, survey, *site), .speed_mps = vehicle.speed_mps});
   check_meets_data(route.route, *site, command.route);
   Plan plan;
   plan.route = route.route;
-  plan.notes = route.notes;
-  const Scorer scorer(*site, command.survey, command.output.quiet);
+  if (route.fan_note) plan.notes.push_back(*route.fan_note);
+  plan.notes.insert(plan.notes.end(), route.notes.begin(), route.notes.end());
+  const Scorer scorer(*site, survey, command.output.quiet);
   ScoredRoute scored = scorer.score("score", plan.route);
   note_endurance(scored.score.route, vehicle, plan.notes);
   std::vector<PlannedSurvey> surveys;
   const std::string name = command.route.filename().string();
   std::optional<Plan> filled;
-  if (command.infill) filled = with_passes(plan, command, *site, scorer);
-  surveys.push_back({"given", name, std::move(plan), std::move(scored), 0.0, 0.0});
+  if (command.infill) filled = with_passes(plan, survey, scorer);
+  surveys.push_back(recorded("given", name, std::move(plan), std::move(scored), *site, survey));
   const std::filesystem::path& folder = command.output.folder;
   if (filled) {
     ScoredRoute again = scorer.score("infill", filled->route);
     note_endurance(again.score.route, vehicle, filled->notes);
-    surveys.push_back(
-        {"infill", name + " + infill", std::move(*filled), std::move(again), 0.0, 0.0});
-    write_survey(folder / "infill", surveys[1], *site, command.survey, provenance);
+    surveys.push_back(recorded("infill", name + " + infill", std::move(*filled), std::move(again),
+                               *site, survey));
+    write_survey(folder / "infill", surveys[1], *site, provenance);
   }
-  write_survey(folder, surveys[0], *site, command.survey, provenance);
+  write_survey(folder, surveys[0], *site, provenance);
+  write_survey_toml(folder, provenance);
   write_survey_report(folder / "report.html",
                       fmt::format("{}: {}", command.site.file.filename().string(), name), surveys,
-                      *site, command.survey, provenance);
+                      *site, provenance);
   if (!command.output.quiet) print_notes(surveys);
   if (command.output.json) {
     // With infill the figures asked for are those of the route that was made.
-    fmt::print("{}", score_json(surveys.back().planner, surveys.back().scored.score, provenance));
+    fmt::print("{}",
+               score_json(surveys.back().record.planner, surveys.back().scored.score, provenance));
   } else if (!command.output.quiet) {
     fmt::print("{}report: {}\n", table(surveys), (folder / "report.html").string());
   }
@@ -121,20 +137,18 @@ void run(const ScoreCommand& command) {
 
 }  // namespace
 
-void add_score_command(CLI::App& app) {
-  auto* sub = app.add_subcommand("score", "Score any route.csv or GeoJSON line, ours or not");
+Command score_command() {
   auto command = std::make_shared<ScoreCommand>();
-  add_site_options(*sub, command->site);
-  sub->add_option("ROUTE", command->route, "route.csv, another CSV of points, or GeoJSON")
-      ->required();
-  sub->add_option(
-      "--opening-angle", command->opening_deg,
-      "Full opening angle where ROUTE has none, degrees (default: W at the mean depth)");
-  sub->add_flag("--infill", command->infill,
-                "Also add passes over the gaps: a second route, in the folder 'infill'");
-  add_scoring_options(*sub, command->survey);
-  add_output_options(*sub, command->output);
-  sub->callback([command] { run(*command); });
+  return {
+      "score",
+      "Score any route.csv or GeoJSON line, ours or not",
+      joined({site_options(command->site),
+              {argument("ROUTE", command->route, "route.csv, another CSV of points, or GeoJSON")},
+              scoring_options(command->survey),
+              own_options(*command),
+              output_options(command->output)}),
+      [command] { run(*command); },
+      {}};
 }
 
 }  // namespace swathplan

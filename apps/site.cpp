@@ -14,6 +14,11 @@ namespace {
 /// Areas under this are not worth a note, square metres.
 constexpr double kWorthSaying = 1.0;
 
+/// Polygons of very many corners are simplified to this share of the clearance, and to no less than
+/// this, metres: positions are not known better.
+constexpr double kRoundingShare = 0.1;
+constexpr double kLeastRounding = 0.05;
+
 /// "3 pieces; the largest: 120 m2 about (x, y), ...", in the file's coordinates.
 std::string pieces(Area area, const Frame& frame) {
   constexpr std::size_t kMostPlaces = 3;
@@ -62,8 +67,31 @@ Area limited_area(const Seafloor& seafloor, const SurveyAreaOptions& bounds,
   try {
     return survey_area(seafloor, bounds);
   } catch (const InvalidInput& e) {
-    throw InvalidInput(fmt::format("--area '{}': {}", file.string(), e.what()));
+    throw InvalidInput(fmt::format("<area> '{}': {}", file.string(), e.what()));
   }
+}
+
+/// The polygons of a file; what of it does not count goes to the site's notes.
+Area imported_area(Site& site, const SiteOptions& options, const std::filesystem::path& file,
+                   const Box2& data, double clearance_m, Rounding rounding) {
+  ImportedArea read =
+      import_area(file, site.seafloor().frame,
+                  {.data_extent = data,
+                   .buffer_m = options.buffer_m,
+                   .layers = options.layers,
+                   .tolerance_m = std::max(kLeastRounding, kRoundingShare * clearance_m),
+                   .rounding = rounding});
+  for (const std::string& note : read.notes) site.notes.push_back(in_flags(note));
+  return std::move(read.area);
+}
+
+/// Says what of the area that was asked for cannot be planned, for nothing is known of it.
+void note_beyond_data(Site& site, const Area& asked) {
+  const double beyond_m2 = area_m2(subtract(asked, outline(site.seafloor())));
+  if (beyond_m2 < kWorthSaying) return;
+  site.notes.push_back(fmt::format(
+      "{:.0f} of {:.0f} m2 of the area lie outside the data and are not part of the survey",
+      beyond_m2, area_m2(asked)));
 }
 
 /// The strip along the data's outer edge, `margin_m` wide: holes in the data are land.
@@ -79,15 +107,14 @@ std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehic
   auto site = std::make_unique<Site>();
   site->imported = import_seafloor(options.file, import_options(options));
   site->depths = std::make_unique<DepthQuery>(site->seafloor());
-  const Frame& frame = site->seafloor().frame;
   SurveyAreaOptions bounds;
   bounds.safe_depth_m = safe_depth_m(vehicle);
-  if (!options.no_go.empty()) site->no_go = bounds.no_go = import_area(options.no_go, frame);
-  const Area deep = survey_area(site->seafloor(), bounds);
-  if (!(options.run_out_margin_m >= 0.0)) {
-    throw UsageError(
-        fmt::format("--run-out-margin {:g}; must be 0 metres or more", options.run_out_margin_m));
+  const Box2 data = extent(site->seafloor());
+  if (!options.no_go.empty()) {
+    site->no_go = bounds.no_go =
+        imported_area(*site, options, options.no_go, data, vehicle.clearance_m, Rounding::around);
   }
+  const Area deep = survey_area(site->seafloor(), bounds);
   Area sailable = deep;
   if (options.run_out_margin_m > 0.0) {
     const Area strip = beyond_the_edge(site->seafloor(), options.run_out_margin_m);
@@ -100,7 +127,9 @@ std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehic
                     vehicle.clearance_m));
   }
   if (!options.area.empty()) {
-    bounds.limit = import_area(options.area, frame, extent(site->seafloor()));
+    bounds.limit =
+        imported_area(*site, options, options.area, data, vehicle.clearance_m, Rounding::within);
+    note_beyond_data(*site, *bounds.limit);
   }
   site->survey_area = bounds.limit ? limited_area(site->seafloor(), bounds, options.area) : deep;
   note_shoals(*site, bounds);

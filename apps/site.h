@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "apps/options.h"
+#include "apps/survey.h"
 
 namespace swathplan {
 
@@ -17,8 +17,8 @@ struct Site {
   std::vector<std::string> notes;  ///< one sentence each, for people
 
   [[nodiscard]] const Seafloor& seafloor() const { return imported.seafloor; }
-  /// `scene` lets planners look before they choose.
-  [[nodiscard]] PlanningGround planning_ground(const RayScene* scene) const {
+  /// What routes of the site are planned and scored on; without a scene planners cannot look.
+  [[nodiscard]] Ground ground(const RayScene* scene) const {
     return {&imported.seafloor, depths.get(), survey_area, water, scene};
   }
 };

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "apps/commands.h"
 #include "io/seafloor/write_seafloor.h"
 #include "mesh/base/error.h"
@@ -30,30 +32,26 @@ Seafloor make(const SynthCommand& c) {
 
 }  // namespace
 
-void add_synth_command(CLI::App& app) {
-  auto* sub = app.add_subcommand("synth", "Write a synthetic seafloor");
-  auto command = std::make_shared<SynthCommand>();
-  sub->add_option("SHAPE", command->shape, "saddle, shaft, harbour, sea, flat, tilted or stepped")
-      ->required();
-  sub->add_option("-o,--output", command->file,
-                  "File: .obj (any shape), .asc or .tif (shapes on a square lattice)")
-      ->required();
-  sub->add_option("--width", command->width_m, "flat, tilted, stepped: metres east")
-      ->capture_default_str();
-  sub->add_option("--height", command->height_m, "flat, tilted, stepped: metres north")
-      ->capture_default_str();
-  sub->add_option("--depth", command->depth_m,
-                  "flat, tilted, stepped: depth at the west edge, metres")
-      ->capture_default_str();
-  sub->add_option("--depth-east", command->depth_east_m,
-                  "stepped: depth of the eastern half, metres")
-      ->capture_default_str();
-  sub->add_option("--slope", command->slope_deg, "tilted: slope down to the east, degrees")
-      ->capture_default_str();
-  sub->callback([command] {
-    const Seafloor seafloor = make(*command);
-    write_seafloor(command->file, seafloor);
-  });
+Command synth_command() {
+  auto c = std::make_shared<SynthCommand>();
+  const std::string group;
+  return {"synth",
+          "Write a synthetic seafloor",
+          {argument("SHAPE", c->shape, "saddle, shaft, harbour, sea, flat, tilted or stepped"),
+           required(path("-o,--output", group, c->file,
+                         "File: .obj (any shape), .asc or .tif (shapes on a square lattice)", "")),
+           real("--width", group, c->width_m, kMetres, above(0.0),
+                "flat, tilted, stepped: metres east", "width_m"),
+           real("--height", group, c->height_m, kMetres, above(0.0),
+                "flat, tilted, stepped: metres north", "height_m"),
+           real("--depth", group, c->depth_m, kMetres, above(0.0),
+                "flat, tilted, stepped: depth at the west edge, metres", "depth_m"),
+           real("--depth-east", group, c->depth_east_m, kMetres, above(0.0),
+                "stepped: depth of the eastern half, metres", "depth_east_m"),
+           real("--slope", group, c->slope_deg, kDegrees, within(0.0, 89.0),
+                "tilted: slope down to the east, degrees", "slope_deg")},
+          [c] { write_seafloor(c->file, make(*c)); },
+          {}};
 }
 
 }  // namespace swathplan

@@ -148,7 +148,7 @@ void compare(const char* name, const Seafloor& seafloor, const Route& route, dou
              seafloor.faces.size(), count, 100.0 * static_cast<double>(hits) / count, threads);
   fmt::print("  bare loop               {:6.1f} Mrays/s\n", count / bare * 1e-6);
   const auto run = [&](const char* what, const RayScene& used, bool footprint) {
-    const ScoringGround ground{&seafloor, &depths, &used, area, area};
+    const Ground ground{&seafloor, &depths, area, area, &used};
     ScoreOptions options;
     options.resolution_m = resolution;
     options.footprint = footprint;

@@ -8,7 +8,8 @@
 #include "apps/adapt/adapt_live.h"
 #include "apps/adapt/adapt_planners.h"
 #include "mesh/base/error.h"
-#include "planners/adaptive/adaptive_worlds.h"
+#include "mesh/base/random.h"
+#include "planners/adaptive/simulated_strips.h"
 
 namespace swathplan {
 namespace {
@@ -36,17 +37,60 @@ void add_object_figures(MissionOutput& out, int objects, int seen_twice) {
   out.figures.emplace_back("objects_seen_from_both_sides", seen_twice);
 }
 
-Provenance provenance(const AccordionCommand& c, const AccordionOptions& o,
-                      const std::string& mode) {
-  return adapt_provenance("adapt accordion " + mode, c.output.seed,
-                          {{"width_m", o.width_m},
-                           {"length_m", o.length_m},
-                           {"spacing_m", o.spacing_m},
-                           {"nadir_gap_m", o.nadir_gap_m},
-                           {"threshold", o.threshold},
-                           {"clearance_m", o.clearance_m},
-                           {"rule", c.rule},
-                           {"start_corner", c.box.start}});
+OptionTable planner_options(AccordionCommand& c) {
+  return joined(
+      {{real("--width", "", c.planner.width_m, kMetres, any_number(),
+             "Of the area across the tracks, m", "width_m"),
+        real("--length", "", c.planner.length_m, kMetres, any_number(), "Of a track, m",
+             "length_m"),
+        real("--spacing", "", c.planner.spacing_m, kMetres, any_number(), "Strip width W, m",
+             "spacing_m"),
+        real("--nadir-gap", "", c.planner.nadir_gap_m, kMetres, any_number(),
+             "Half-width of the blind strip, m", "nadir_gap_m"),
+        real("--threshold", "", c.threshold, kNoUnit, any_number(),
+             "Cost from which something is an object (default: 0.5; images 1)", "threshold"),
+        real("--clearance", "", c.clearance_m, kMetres, any_number(),
+             "Uncertainty of an object's place, m (bounded rule; default: 0; images 3)",
+             "clearance_m"),
+        choice("--rule", "", c.rule, {"basic", "bounded"}, "When it folds", "rule")},
+       box_options(c.box),
+       adapt_output_options(c.output)});
+}
+
+OptionTable world_options(AccordionCommand& c) {
+  return {real("--p-obj", "", c.p_obj, kNoUnit, any_number(),
+               "Share of strips with an object, without FILE", "p_obj")};
+}
+
+OptionTable sonar_options(AccordionCommand& c) {
+  return {
+      whole("--objects", "", c.objects, within(0.0, 10000.0), "Objects dropped on FILE", "objects"),
+      real("--altitude", "", c.sonar.altitude_m, kMetres, any_number(),
+           "Of the sonar above FILE, m", "altitude_m"),
+      real("--pixel", "", c.sonar.pixel_m, kMetres, any_number(), "Image pixel across, m",
+           "pixel_m"),
+      real("--ping-spacing", "", c.sonar.ping_spacing_m, kMetres, any_number(),
+           "Along the track, m", "ping_spacing_m"),
+      real("--looks", "", c.sonar.looks, kNoUnit, any_number(), "Of the speckle; 0: none", "looks"),
+      flag("--no-gap-filler", "", c.no_gap_filler, "No multibeam sonar over the nadir gap",
+           "no_gap_filler")};
+}
+
+OptionTable image_options(AccordionCommand& c) {
+  return {
+      real("--pixel", "", c.pixel_m, kMetres, any_number(), "Pixel of images across, m", "pixel_m"),
+      real("--row", "", c.row_m, kMetres, any_number(), "Row of images along, m", "row_m")};
+}
+
+/// `rows` are those of the mode, besides the planner's.
+Provenance provenance(const AccordionCommand& c, const AccordionOptions& o, const std::string& mode,
+                      OptionTable (*rows)(AccordionCommand&)) {
+  AccordionCommand typed = c;
+  AccordionCommand now = c;
+  now.threshold = o.threshold;
+  now.clearance_m = o.clearance_m;
+  return adapt_provenance("adapt accordion " + mode, joined({planner_options(typed), rows(typed)}),
+                          joined({planner_options(now), rows(now)}));
 }
 
 void simulate_strips(const AccordionCommand& c) {
@@ -54,11 +98,11 @@ void simulate_strips(const AccordionCommand& c) {
   const SurveyBox box = box_of(c.box, o.width_m, o.length_m, {});
   const StripWorld world = random_strips(o.width_m, o.spacing_m, c.p_obj, c.output.seed);
   const AccordionMission mission = sail(world, o);
-  MissionOutput out = mission_output(box, mission.state.sailed, sonar_range_m(o),
-                                     flat_depth_m(sonar_range_m(o)), provenance(c, o, "simulate"));
+  MissionOutput out =
+      mission_output(box, mission.state.sailed, sonar_range_m(o), flat_depth_m(sonar_range_m(o)),
+                     provenance(c, o, "simulate", world_options));
   out.planner = "accordion";
   out.label = fmt::format("Accordion ({})", c.rule);
-  out.provenance.options.emplace_back("p_obj", c.p_obj);
   out.figures = figures_of(mission.state);
   add_object_figures(out, mission.objects, mission.objects_seen_twice);
   TrackPicture picture{out.label, o.width_m, o.length_m, mission.state.sailed, {}, kDots, {}};
@@ -111,13 +155,14 @@ void simulate_seafloor(const AccordionCommand& c) {
   for (const ObjectSights& s : sights(objects, state.sailed, o, world)) {
     twice += s.from_below && s.from_above ? 1 : 0;
   }
-  MissionOutput out =
-      mission_output(box, state.sailed, sonar_range_m(o), depth, provenance(c, o, "simulate"));
+  MissionOutput out = mission_output(box, state.sailed, sonar_range_m(o), depth,
+                                     provenance(c, o, "simulate", sonar_options));
   out.planner = "accordion";
   out.label = fmt::format("Accordion ({})", c.rule);
   out.provenance.input_file = c.site.file.string();
   out.provenance.input_hash = site->imported.input_hash;
-  out.provenance.options.emplace_back("objects", static_cast<std::int64_t>(c.objects));
+  SiteOptions typed_site = c.site;
+  record(out.provenance, site_options(typed_site));
   out.figures = figures_of(state);
   add_object_figures(out, static_cast<int>(objects.size()), twice);
   out.notes = {
@@ -187,7 +232,7 @@ void live(const AccordionCommand& c) {
   const auto sailed = run_live(std::cin, std::cout, box, {}, planner);
   if (sailed.empty()) return;
   MissionOutput out = mission_output(box, sailed, sonar_range_m(o), flat_depth_m(sonar_range_m(o)),
-                                     provenance(c, o, "live"));
+                                     provenance(c, o, "live", image_options));
   out.planner = "accordion";
   out.label = "Accordion (live)";
   out.figures = figures_of(state);
@@ -195,40 +240,12 @@ void live(const AccordionCommand& c) {
   write_live_mission(c.output, out, box, sonar_range_m(o));
 }
 
-void add_planner_options(CLI::App& command, AccordionCommand& c) {
-  command.add_option("--width", c.planner.width_m, "Of the area across the tracks, m")
-      ->capture_default_str();
-  command.add_option("--length", c.planner.length_m, "Of a track, m")->capture_default_str();
-  command.add_option("--spacing", c.planner.spacing_m, "Strip width W, m")->capture_default_str();
-  command.add_option("--nadir-gap", c.planner.nadir_gap_m, "Half-width of the blind strip, m");
-  command.add_option("--threshold", c.threshold,
-                     "Cost from which something is an object (default: 0.5; images 1)");
-  command.add_option("--clearance", c.clearance_m,
-                     "Uncertainty of an object's place, m (bounded rule; default: 0; images 3)");
-  command.add_option("--rule", c.rule, "basic or bounded")->capture_default_str();
-  add_box_options(command, c.box);
-  add_adapt_output(command, c.output);
-}
-
-void add_sonar_options(CLI::App& command, AccordionCommand& c) {
-  command.add_option("--objects", c.objects, "Objects dropped on FILE")
-      ->check(CLI::Range(0, 10000))
-      ->capture_default_str();
-  command.add_option("--altitude", c.sonar.altitude_m, "Of the sonar above FILE, m")
-      ->capture_default_str();
-  command.add_option("--pixel", c.sonar.pixel_m, "Image pixel across, m")->capture_default_str();
-  command.add_option("--ping-spacing", c.sonar.ping_spacing_m, "Along the track, m")
-      ->capture_default_str();
-  command.add_option("--looks", c.sonar.looks, "Of the speckle; 0: none")->capture_default_str();
-  command.add_flag("--no-gap-filler", c.no_gap_filler, "No multibeam sonar over the nadir gap");
-}
-
 }  // namespace
 
 AccordionRule accordion_rule(const std::string& name) {
   if (name == "basic") return AccordionRule::basic;
   if (name == "bounded") return AccordionRule::bounded;
-  throw UsageError(fmt::format("--rule {}; must be basic or bounded", name));
+  throw UsageError("rule", name, "must be basic or bounded");
 }
 
 AccordionOptions accordion_of(const AccordionCommand& c, double default_threshold,
@@ -241,29 +258,25 @@ AccordionOptions accordion_of(const AccordionCommand& c, double default_threshol
   return options;
 }
 
-void add_adapt_accordion(CLI::App& adapt) {
-  auto* accordion = adapt.add_subcommand(
-      "accordion", "Lawnmower that folds where the sonar meets objects of interest");
-  accordion->require_subcommand(1);
+Command adapt_accordion_command() {
   auto c = std::make_shared<AccordionCommand>();
-  auto* sub = accordion->add_subcommand(
-      "simulate", "One mission: over FILE with ray-cast images, without it over abstract strips");
-  add_site_options(*sub, c->site);
-  sub->get_option("FILE")->required(false);
-  add_planner_options(*sub, *c);
-  add_sonar_options(*sub, *c);
-  sub->add_option("--p-obj", c->p_obj, "Share of strips with an object, without FILE")
-      ->capture_default_str();
-  sub->callback([c] { simulate(*c); });
-  sub = accordion->add_subcommand("study", "Monte Carlo over alpha and p_obj, as published");
-  add_planner_options(*sub, *c);
-  add_missions_option(*sub, c->missions, "Per alpha and p_obj");
-  sub->callback([c] { study_accordion(*c); });
-  sub = accordion->add_subcommand("live", "JSON lines: observations in, tracks out");
-  add_planner_options(*sub, *c);
-  sub->add_option("--pixel", c->pixel_m, "Pixel of images across, m")->capture_default_str();
-  sub->add_option("--row", c->row_m, "Row of images along, m")->capture_default_str();
-  sub->callback([c] { live(*c); });
+  return {
+      "accordion",
+      "Lawnmower that folds where the sonar meets objects of interest",
+      {},
+      {},
+      {adapt_mode("simulate",
+                  "One mission: over FILE with ray-cast images, without it over abstract "
+                  "strips",
+                  joined({site_options(c->site, false), planner_options(*c), sonar_options(*c),
+                          world_options(*c)}),
+                  c->output, [c] { simulate(*c); }),
+       adapt_mode(
+           "study", "Monte Carlo over alpha and p_obj, as published",
+           joined({planner_options(*c), {missions_option(c->missions, "Per alpha and p_obj")}}),
+           c->output, [c] { study_accordion(*c); }),
+       adapt_mode("live", "JSON lines: observations in, tracks out",
+                  joined({planner_options(*c), image_options(*c)}), c->output, [c] { live(*c); })}};
 }
 
 }  // namespace swathplan

@@ -8,7 +8,8 @@
 #include "apps/adapt/adapt_accordion.h"
 #include "io/files/atomic_file.h"
 #include "io/results/adaptive_study.h"
-#include "planners/adaptive/adaptive_worlds.h"
+#include "mesh/base/random.h"
+#include "planners/adaptive/simulated_strips.h"
 
 namespace swathplan {
 namespace {

@@ -21,20 +21,22 @@ namespace {
 // A route of many kilometres is scored on no more cells than this: the report is drawn from them.
 constexpr double kCells = 250000.0;
 
-SurveyOptions scoring_options(const AdaptOutput& output, const Site& site) {
+Survey mission_survey(const AdaptOutput& output, const Site& site) {
   SurveyOptions options;
-  options.resolution_m = std::max(1.0, std::ceil(std::sqrt(area_m2(site.survey_area) / kCells)));
-  options.ping_spacing_m = options.resolution_m;
-  options.sonar = "norbit-iwbms";
-  options.max_opening_deg = 178.0;
-  options.beam_spacing = "equidistant";
-  options.vehicle = "auv";
-  options.nodata = "open";
-  options.holiday_m2 = 10.0 * options.resolution_m * options.resolution_m;
-  options.hit_only = true;
-  options.seed = output.seed;
-  options.threads = output.threads;
-  return options;
+  ScoringChoice& scoring = options.scoring;
+  scoring.resolution_m = std::max(1.0, std::ceil(std::sqrt(area_m2(site.survey_area) / kCells)));
+  scoring.ping_spacing_m = scoring.resolution_m;
+  scoring.nodata = "open";
+  scoring.holiday_m2 = 10.0 * scoring.resolution_m * scoring.resolution_m;
+  scoring.hit_only = true;
+  scoring.threads = output.threads;
+  options.sonar = {.preset = "norbit-iwbms",
+                   .beams = std::nullopt,
+                   .beam_spacing = "equidistant",
+                   .max_opening_deg = 178.0};
+  options.vehicle.preset = "auv";
+  options.noise.seed = output.seed;
+  return survey_of(options);
 }
 
 // Half-angles that sweep `range_m` to each side at `depth_m` below the sonar.
@@ -60,33 +62,47 @@ std::unique_ptr<Site> flat_site(const SurveyBox& box, double margin_m, double de
 
 }  // namespace
 
-void add_adapt_output(CLI::App& command, AdaptOutput& output) {
-  command.add_option("-o,--output", output.folder, "Output folder")->capture_default_str();
-  command.add_flag("--json", output.json, "Print the figures as JSON");
-  command.add_flag("--quiet", output.quiet, "Print nothing");
-  command.add_option("--seed", output.seed, "Seed of the world")->capture_default_str();
-  command
-      .add_option("--threads", output.threads, "Threads; 0: all cores (no result depends on it)")
-      ->check(CLI::NonNegativeNumber);
+OptionTable adapt_output_options(AdaptOutput& output) {
+  Option folder = path("-o,--output", "", output.folder, "Output folder", "");
+  folder.not_empty = true;
+  return {folder, flag("--json", "", output.json, "Print the figures as JSON", ""),
+          flag("--quiet", "", output.quiet, "Print nothing", ""),
+          whole("--seed", "", output.seed, "Seed of the world", "seed"),
+          whole("--threads", "", output.threads, at_least(0.0),
+                "Threads; 0: all cores (no result depends on it)", "")};
 }
 
-void add_box_options(CLI::App& command, BoxOptions& options) {
-  command.add_option("--start-corner", options.start, "sw, se, nw or ne (along the tracks is 'n')")
-      ->capture_default_str();
-  command.add_option("--azimuth", options.azimuth_deg, "Of the tracks, degrees from north");
-  command.add_option("--corner", options.corner, "South-west corner of the box, x,y of the file")
-      ->delimiter(',')
-      ->expected(2);
+Command adapt_mode(const std::string& mode, const std::string& what, OptionTable options,
+                   const AdaptOutput& output, std::function<void()> run) {
+  return {mode,
+          what,
+          std::move(options),
+          [&output, run = std::move(run)] {
+            check_folder(output.folder);
+            run();
+          },
+          {}};
+}
+
+OptionTable box_options(BoxOptions& options) {
+  Option corner{.flag = "--corner",
+                .group = "",
+                .slot = &options.corner,
+                .unit = kNoUnit,
+                .rule = any_number(),
+                .help = "South-west corner of the box, x,y of the file",
+                .name = "corner"};
+  corner.count = 2;
+  return {choice("--start-corner", "", options.start, {"sw", "se", "nw", "ne"},
+                 "Where the first track begins (along the tracks is 'n')", "start_corner"),
+          real("--azimuth", "", options.azimuth_deg, kDegrees, any_number(),
+               "Of the tracks, degrees from north", "azimuth_deg"),
+          corner};
 }
 
 SurveyBox box_of(const BoxOptions& options, double width_m, double length_m, const Frame& frame) {
   const auto start = start_corner(options.start);
-  if (!start) {
-    throw UsageError(fmt::format("--start-corner {}; must be sw, se, nw or ne", options.start));
-  }
-  if (!std::isfinite(options.azimuth_deg)) {
-    throw UsageError("--azimuth; must be a finite number of degrees");
-  }
+  if (!start) throw UsageError("start corner", options.start, "must be sw, se, nw or ne");
   SurveyBox box{Vec2::Zero(), Angle::degrees(options.azimuth_deg), width_m, length_m, *start};
   if (options.corner.size() == 2) {
     box.corner = frame.to_local(Vec2(options.corner[0], options.corner[1]));
@@ -107,19 +123,16 @@ tbb::global_control thread_limit(const AdaptOutput& output) {
           output.threads > 0 ? static_cast<std::size_t>(output.threads) : kAll};
 }
 
-void add_missions_option(CLI::App& command, int& missions, const std::string& what) {
-  command.add_option("--missions", missions, what)
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
+Option missions_option(int& missions, const std::string& what) {
+  return whole("--missions", "", missions, within(1.0, 1000000.0), what, "missions");
 }
 
-Provenance adapt_provenance(const std::string& command, std::uint64_t seed,
-                            std::vector<std::pair<std::string, OptionValue>> options) {
+Provenance adapt_provenance(const std::string& command, const OptionTable& typed,
+                            const OptionTable& in_force) {
   Provenance provenance;
   provenance.version = SWATHPLAN_VERSION;
   provenance.command = command;
-  provenance.seed = seed;
-  provenance.options = std::move(options);
+  record(provenance, typed, in_force);
   return provenance;
 }
 
@@ -133,7 +146,7 @@ MissionOutput mission_output(const SurveyBox& box, std::span<const SurveyTrack> 
 }
 
 void write_mission(const AdaptOutput& output, const MissionOutput& mission, const Site& site) {
-  const SurveyOptions options = scoring_options(output, site);
+  const Survey survey = mission_survey(output, site);
   std::filesystem::create_directories(output.folder);
   nlohmann::ordered_json json;
   json["planner"] = mission.planner;
@@ -143,15 +156,17 @@ void write_mission(const AdaptOutput& output, const MissionOutput& mission, cons
   json["version"] = mission.provenance.version;
   write_text_atomically(output.folder / "mission.json", json.dump(2) + "\n");
   write_tracks_png(output.folder / "tracks.png", mission.pictures);
-  const Scorer scorer(site, options, output.quiet);
+  const Scorer scorer(site, survey, output.quiet);
   Plan plan;
   plan.route = mission.route;
   plan.notes = mission.notes;
   ScoredRoute scored = scorer.score(mission.label, plan.route);
   std::vector<PlannedSurvey> surveys;
-  surveys.push_back({mission.planner, mission.label, std::move(plan), std::move(scored), 0.0, 0.0});
-  write_survey(output.folder, surveys[0], site, options, mission.provenance);
-  write_survey_report(output.folder / "report.html", mission.label, surveys, site, options,
+  surveys.push_back(
+      recorded(mission.planner, mission.label, std::move(plan), std::move(scored), site, survey));
+  write_survey(output.folder, surveys[0], site, mission.provenance);
+  write_survey_toml(output.folder, mission.provenance);
+  write_survey_report(output.folder / "report.html", mission.label, surveys, site,
                       mission.provenance);
   if (output.json) {
     fmt::print("{}\n", json.dump(2));

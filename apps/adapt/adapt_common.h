@@ -2,13 +2,14 @@
 
 #include <tbb/global_control.h>
 
-#include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "apps/command_line.h"
 #include "apps/options.h"
 #include "apps/site.h"
 #include "io/pictures/adaptive_pictures.h"
@@ -23,7 +24,11 @@ struct AdaptOutput {
   std::uint64_t seed = 1;
   int threads = 0;
 };
-void add_adapt_output(CLI::App& command, AdaptOutput& output);
+[[nodiscard]] OptionTable adapt_output_options(AdaptOutput& output);
+/// The command `mode` of a planner; a folder that cannot be written to is said before the work.
+[[nodiscard]] Command adapt_mode(const std::string& mode, const std::string& what,
+                                 OptionTable options, const AdaptOutput& output,
+                                 std::function<void()> run);
 
 /// Where the box lies.
 struct BoxOptions {
@@ -31,7 +36,7 @@ struct BoxOptions {
   double azimuth_deg = 0.0;
   std::vector<double> corner;  ///< x, y in file coordinates; empty: the local origin
 };
-void add_box_options(CLI::App& command, BoxOptions& options);
+[[nodiscard]] OptionTable box_options(BoxOptions& options);
 [[nodiscard]] SurveyBox box_of(const BoxOptions& options, double width_m, double length_m,
                                const Frame& frame);
 
@@ -69,12 +74,12 @@ void write_flat_mission(const AdaptOutput& output, const MissionOutput& mission,
 void write_live_mission(const AdaptOutput& output, const MissionOutput& mission,
                         const SurveyBox& box, double range_m);
 
-/// What made an adaptive mission.
-[[nodiscard]] Provenance adapt_provenance(const std::string& command, std::uint64_t seed,
-                                          std::vector<std::pair<std::string, OptionValue>> options);
+/// What made an adaptive mission: the rows as typed and as they were in force.
+[[nodiscard]] Provenance adapt_provenance(const std::string& command, const OptionTable& typed,
+                                          const OptionTable& in_force);
 
 /// --missions of a study.
-void add_missions_option(CLI::App& command, int& missions, const std::string& what);
+[[nodiscard]] Option missions_option(int& missions, const std::string& what);
 
 /// Progress of a study on stderr, where that is a terminal.
 [[nodiscard]] std::function<void(double)> study_progress(const std::string& label, bool quiet);

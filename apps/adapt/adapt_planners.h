@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "apps/command_line.h"
 
-// Each adds its planner with simulate, study and live below `adapt`.
+// Each planner with simulate, study and live below it.
 namespace swathplan {
 
-void add_adapt_accordion(CLI::App& adapt);
-void add_adapt_spacing(CLI::App& adapt);
-void add_adapt_quality(CLI::App& adapt);
+[[nodiscard]] Command adapt_accordion_command();
+[[nodiscard]] Command adapt_spacing_command();
+[[nodiscard]] Command adapt_quality_command();
 
 }  // namespace swathplan

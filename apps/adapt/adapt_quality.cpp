@@ -10,7 +10,7 @@
 #include "apps/adapt/adapt_planners.h"
 #include "io/results/adaptive_study.h"
 #include "mesh/base/error.h"
-#include "planners/adaptive/adaptive_worlds.h"
+#include "mesh/base/random.h"
 #include "planners/adaptive/quality_baselines.h"
 
 namespace swathplan {
@@ -32,28 +32,48 @@ constexpr std::array<GapConstraint, 3> kConstraints{GapConstraint::none, GapCons
 QualitySurveyOptions planner_of(const QualityCommand& c, const SurveyBox& box) {
   QualitySurveyOptions options = c.planner;
   const auto constraint = gap_constraint(c.constraint);
-  if (!constraint) {
-    throw UsageError(fmt::format("--constraint {}; must be none, mild or strong", c.constraint));
-  }
+  if (!constraint) throw UsageError("constraint", c.constraint, "must be none, mild or strong");
   options.constraint = *constraint;
   options.port_looks_back = port_looks_back(box, {0, 0.0, true});
   check(options);
   return options;
 }
 
-Provenance provenance(const QualityCommand& c, const QualitySurveyOptions& o,
-                      const std::string& mode) {
-  return adapt_provenance("adapt quality " + mode, c.output.seed,
-                          {{"width_m", o.width_m},
-                           {"length_m", o.length_m},
-                           {"swath_m", o.swath_m},
-                           {"range_min_m", o.range_min_m},
-                           {"range_max_m", o.range_max_m},
-                           {"quality", o.quality},
-                           {"cost_weight", o.cost_weight},
-                           {"turn_width_m", o.turn_width_m},
-                           {"constraint", c.constraint},
-                           {"start_corner", c.box.start}});
+OptionTable planner_options(QualityCommand& c) {
+  return joined({{real("--width", "", c.planner.width_m, kMetres, any_number(),
+                       "Of the area across the tracks, m", "width_m"),
+                  real("--length", "", c.planner.length_m, kMetres, any_number(), "Of a track, m",
+                       "length_m"),
+                  real("--swath", "", c.planner.swath_m, kMetres, any_number(),
+                       "Width of a swath, m", "swath_m"),
+                  real("--range-min", "", c.planner.range_min_m, kMetres, any_number(),
+                       "Nominal, m", "range_min_m"),
+                  real("--range-max", "", c.planner.range_max_m, kMetres, any_number(),
+                       "Nominal, m", "range_max_m"),
+                  real("--quality", "", c.planner.quality, kNoUnit, any_number(),
+                       "Correlation from which data is good", "quality"),
+                  real("--cost-weight", "", c.planner.cost_weight, kNoUnit, any_number(),
+                       "Of transit against swaths gained", "cost_weight"),
+                  real("--turn-width", "", c.planner.turn_width_m, kMetres, any_number(),
+                       "Twice the turning radius, m", "turn_width_m"),
+                  choice("--constraint", "", c.constraint, {"none", "mild", "strong"},
+                         "On the gaps that a track may leave", "constraint")},
+                 box_options(c.box),
+                 adapt_output_options(c.output)});
+}
+
+OptionTable world_options(QualityCommand& c) {
+  return {real("--true-port", "", c.port_m, kMetres, at_least(0.0),
+               "True range of the port side, m; 0: dead", "true_port_range_m"),
+          real("--true-starboard", "", c.starboard_m, kMetres, at_least(0.0),
+               "Of the starboard side, m; 0: dead", "true_starboard_range_m")};
+}
+
+Provenance provenance(const QualityCommand& c, const std::string& mode, bool with_world) {
+  QualityCommand typed = c;
+  OptionTable rows = planner_options(typed);
+  if (with_world) rows = joined({std::move(rows), world_options(typed)});
+  return adapt_provenance("adapt quality " + mode, rows, rows);
 }
 
 TrackPicture picture_of(const std::string& title, const QualitySurveyOptions& o,
@@ -73,11 +93,9 @@ void simulate(const QualityCommand& c) {
   const QualitySurveyState preplanned = sail_preplanned(o, truth);
   const auto optimum = fewest_tracks(o, truth);
   MissionOutput out = mission_output(box, state.sailed, o.range_max_m, flat_depth_m(o.range_max_m),
-                                     provenance(c, o, "simulate"));
+                                     provenance(c, "simulate", true));
   out.planner = "quality";
   out.label = fmt::format("Quality survey ({} constraint)", c.constraint);
-  out.provenance.options.emplace_back("true_port_range_m", c.port_m);
-  out.provenance.options.emplace_back("true_starboard_range_m", c.starboard_m);
   out.figures = {{"tracks", static_cast<double>(state.sailed.size())},
                  {"covered_pct", 100.0 * covered_share(state)},
                  {"travel_m", travel_m(state.sailed, o.length_m)},
@@ -207,7 +225,7 @@ void live(const QualityCommand& c) {
   const auto sailed = run_live(std::cin, std::cout, box, {}, planner);
   if (sailed.empty()) return;
   MissionOutput out = mission_output(box, sailed, o.range_max_m, flat_depth_m(o.range_max_m),
-                                     provenance(c, o, "live"));
+                                     provenance(c, "live", false));
   out.planner = "quality";
   out.label = "Quality survey (live)";
   out.figures = {{"tracks", static_cast<double>(sailed.size())},
@@ -216,49 +234,25 @@ void live(const QualityCommand& c) {
   write_live_mission(c.output, out, box, o.range_max_m);
 }
 
-void add_planner_options(CLI::App& command, QualityCommand& c) {
-  command.add_option("--width", c.planner.width_m, "Of the area across the tracks, m")
-      ->capture_default_str();
-  command.add_option("--length", c.planner.length_m, "Of a track, m")->capture_default_str();
-  command.add_option("--swath", c.planner.swath_m, "Width of a swath, m")->capture_default_str();
-  command.add_option("--range-min", c.planner.range_min_m, "Nominal, m")->capture_default_str();
-  command.add_option("--range-max", c.planner.range_max_m, "Nominal, m")->capture_default_str();
-  command.add_option("--quality", c.planner.quality, "Correlation from which data is good");
-  command.add_option("--cost-weight", c.planner.cost_weight, "Of transit against swaths gained")
-      ->capture_default_str();
-  command.add_option("--turn-width", c.planner.turn_width_m, "Twice the turning radius, m")
-      ->capture_default_str();
-  command.add_option("--constraint", c.constraint, "none, mild or strong")->capture_default_str();
-  add_box_options(command, c.box);
-  add_adapt_output(command, c.output);
-}
-
 }  // namespace
 
-void add_adapt_quality(CLI::App& adapt) {
-  auto* quality = adapt.add_subcommand(
-      "quality", "Tracks chosen one by one from where the sonar has given good data");
-  quality->require_subcommand(1);
+Command adapt_quality_command() {
   auto c = std::make_shared<QualityCommand>();
-  auto* sub = quality->add_subcommand("simulate", "One mission with fixed true ranges");
-  add_planner_options(*sub, *c);
-  sub->add_option("--true-port", c->port_m, "True range of the port side, m; 0: dead")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  sub->add_option("--true-starboard", c->starboard_m, "Of the starboard side, m; 0: dead")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  sub->callback([c] { simulate(*c); });
-  sub = quality->add_subcommand("study", "All true ranges, both sides and port alone");
-  add_planner_options(*sub, *c);
-  add_missions_option(*sub, c->missions, "With random failures, per cell");
-  sub->add_option("--failing", c->failing, "Share of range bins that fail by chance")
-      ->check(CLI::Range(0.0, 0.9))
-      ->capture_default_str();
-  sub->callback([c] { study(*c); });
-  sub = quality->add_subcommand("live", "JSON lines: observations in, tracks out");
-  add_planner_options(*sub, *c);
-  sub->callback([c] { live(*c); });
+  return {"quality",
+          "Tracks chosen one by one from where the sonar has given good data",
+          {},
+          {},
+          {adapt_mode("simulate", "One mission with fixed true ranges",
+                      joined({planner_options(*c), world_options(*c)}), c->output,
+                      [c] { simulate(*c); }),
+           adapt_mode("study", "All true ranges, both sides and port alone",
+                      joined({planner_options(*c),
+                              {missions_option(c->missions, "With random failures, per cell"),
+                               real("--failing", "", c->failing, kNoUnit, within(0.0, 0.9),
+                                    "Share of range bins that fail by chance", "failing")}}),
+                      c->output, [c] { study(*c); }),
+           adapt_mode("live", "JSON lines: observations in, tracks out", planner_options(*c),
+                      c->output, [c] { live(*c); })}};
 }
 
 }  // namespace swathplan

@@ -15,7 +15,7 @@
 #include "io/files/atomic_file.h"
 #include "io/results/adaptive_study.h"
 #include "mesh/base/error.h"
-#include "planners/adaptive/adaptive_worlds.h"
+#include "mesh/base/random.h"
 #include "planners/adaptive/spacing_missions.h"
 
 namespace swathplan {
@@ -96,17 +96,52 @@ RiskFigures risk_figures(const ResidualRiskMap& map, double border_m, int compon
           fitted_mixture(values, components)};
 }
 
+OptionTable planner_options(SpacingCommand& c) {
+  return joined(
+      {{real("--width", "", c.planner.width_m, kMetres, any_number(),
+             "Of the area across the tracks, m", "width_m"),
+        real("--length", "", c.planner.length_m, kMetres, any_number(), "Of a track, m",
+             "length_m"),
+        real("--range", "", c.planner.range_m, kMetres, any_number(),
+             "Range r believed good at the start, m", "range_m"),
+        real("--nadir", "", c.planner.nadir_m, kMetres, any_number(),
+             "Nadir gap r_n to each side, m", "nadir_m"),
+        real("--threshold", "", c.planner.threshold, kNoUnit, any_number(),
+             "Smallest P(y) of good data", "threshold"),
+        flag("--as-published", "", c.as_published,
+             "No second thoughts within a pair, spare width at the far edge", "as_published")},
+       box_options(c.box),
+       adapt_output_options(c.output)});
+}
+
+OptionTable world_options(SpacingCommand& c) {
+  return {whole("--trials", "", c.world.trials, at_least(0.0),
+                "Targets tried per range bin and track; 0: the planner is given the true curve",
+                "trials"),
+          real("--scatter", "", c.world.scatter, kNoUnit, within(0.0, 0.99),
+               "Relative deviation of P from cell to cell", "scatter"),
+          real("--border", "", c.border_m, kMetres, at_least(0.0),
+               "Border left out of risk figures, m", "border_m"),
+          whole("--components", "", c.components, within(1.0, 6.0), "Gaussians of the mixture",
+                "components")};
+}
+
+OptionTable mission_options(SpacingCommand& c) {
+  return {flag("--control", "", c.control, "Do not adapt", "control"),
+          path("--curve", "", c.curve, "True P(y): a file of 'range_m,p' lines", "curve_file")};
+}
+
 Provenance provenance(const SpacingCommand& c, const TrackSpacingOptions& o,
-                      const std::string& mode) {
-  return adapt_provenance("adapt spacing " + mode, c.output.seed,
-                          {{"width_m", o.width_m},
-                           {"length_m", o.length_m},
-                           {"range_m", o.range_m},
-                           {"nadir_m", o.nadir_m},
-                           {"threshold", o.threshold},
-                           {"adapt", o.adapt},
-                           {"careful", o.careful},
-                           {"start_corner", c.box.start}});
+                      const std::string& mode, bool with_world) {
+  SpacingCommand typed = c;
+  OptionTable rows = planner_options(typed);
+  if (with_world) rows = joined({std::move(rows), world_options(typed), mission_options(typed)});
+  Provenance provenance = adapt_provenance("adapt spacing " + mode, rows, rows);
+  for (const auto& [name, value] : {std::pair("adapt", o.adapt), std::pair("careful", o.careful)}) {
+    provenance.options.emplace_back(name, value);
+    provenance.derived.emplace_back(name);
+  }
+  return provenance;
 }
 
 TrackPicture picture_of(const std::string& title, const TrackSpacingOptions& o,
@@ -123,7 +158,7 @@ void simulate(const SpacingCommand& c) {
   const SpacingMission reference = sail(control, world_of(c));
   const RiskFigures risk = risk_figures(mission.risk, c.border_m, c.components);
   MissionOutput out = mission_output(box, mission.state.sailed, o.range_m, flat_depth_m(o.range_m),
-                                     provenance(c, o, "simulate"));
+                                     provenance(c, o, "simulate", true));
   out.planner = "spacing";
   out.label = o.adapt ? "Track spacing (adaptive)" : "Track spacing (control)";
   out.figures = {{"tracks", static_cast<double>(mission.state.sailed.size())},
@@ -271,8 +306,8 @@ void live(const SpacingCommand& c) {
   };
   const auto sailed = run_live(std::cin, std::cout, box, {}, planner);
   if (sailed.empty()) return;
-  MissionOutput out =
-      mission_output(box, sailed, o.range_m, flat_depth_m(o.range_m), provenance(c, o, "live"));
+  MissionOutput out = mission_output(box, sailed, o.range_m, flat_depth_m(o.range_m),
+                                     provenance(c, o, "live", false));
   out.planner = "spacing";
   out.label = "Track spacing (live)";
   out.figures = {{"tracks", static_cast<double>(sailed.size())}};
@@ -280,59 +315,24 @@ void live(const SpacingCommand& c) {
   write_live_mission(c.output, out, box, o.range_m);
 }
 
-void add_planner_options(CLI::App& command, SpacingCommand& c) {
-  command.add_option("--width", c.planner.width_m, "Of the area across the tracks, m")
-      ->capture_default_str();
-  command.add_option("--length", c.planner.length_m, "Of a track, m")->capture_default_str();
-  command.add_option("--range", c.planner.range_m, "Range r believed good at the start, m")
-      ->capture_default_str();
-  command.add_option("--nadir", c.planner.nadir_m, "Nadir gap r_n to each side, m")
-      ->capture_default_str();
-  command.add_option("--threshold", c.planner.threshold, "Smallest P(y) of good data")
-      ->capture_default_str();
-  command.add_flag("--as-published", c.as_published,
-                   "No second thoughts within a pair, spare width at the far edge");
-  add_box_options(command, c.box);
-  add_adapt_output(command, c.output);
-}
-
-void add_world_options(CLI::App& command, SpacingCommand& c) {
-  command
-      .add_option("--trials", c.world.trials,
-                  "Targets tried per range bin and track; 0: the planner is given the true curve")
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--scatter", c.world.scatter, "Relative deviation of P from cell to cell")
-      ->check(CLI::Range(0.0, 0.99))
-      ->capture_default_str();
-  command.add_option("--border", c.border_m, "Border left out of risk figures, m")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command.add_option("--components", c.components, "Gaussians of the mixture")
-      ->check(CLI::Range(1, 6))
-      ->capture_default_str();
-}
-
 }  // namespace
 
-void add_adapt_spacing(CLI::App& adapt) {
-  auto* spacing =
-      adapt.add_subcommand("spacing", "Paired tracks whose spacing follows the range of good data");
-  spacing->require_subcommand(1);
+Command adapt_spacing_command() {
   auto c = std::make_shared<SpacingCommand>();
-  auto* sub = spacing->add_subcommand("simulate", "One mission and its residual risk");
-  add_planner_options(*sub, *c);
-  add_world_options(*sub, *c);
-  sub->add_flag("--control", c->control, "Do not adapt");
-  sub->add_option("--curve", c->curve, "True P(y): a file of 'range_m,p' lines");
-  sub->callback([c] { simulate(*c); });
-  sub = spacing->add_subcommand("study", "Control against adaptive over believed and true ranges");
-  add_planner_options(*sub, *c);
-  add_world_options(*sub, *c);
-  add_missions_option(*sub, c->missions, "Per cell");
-  sub->callback([c] { study(*c); });
-  sub = spacing->add_subcommand("live", "JSON lines: observations in, tracks out");
-  add_planner_options(*sub, *c);
-  sub->callback([c] { live(*c); });
+  return {"spacing",
+          "Paired tracks whose spacing follows the range of good data",
+          {},
+          {},
+          {adapt_mode("simulate", "One mission and its residual risk",
+                      joined({planner_options(*c), world_options(*c), mission_options(*c)}),
+                      c->output, [c] { simulate(*c); }),
+           adapt_mode("study", "Control against adaptive over believed and true ranges",
+                      joined({planner_options(*c),
+                              world_options(*c),
+                              {missions_option(c->missions, "Per cell")}}),
+                      c->output, [c] { study(*c); }),
+           adapt_mode("live", "JSON lines: observations in, tracks out", planner_options(*c),
+                      c->output, [c] { live(*c); })}};
 }
 
 }  // namespace swathplan

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "mesh/plane/union_find.h"
+
 namespace swathplan {
 
 namespace {
@@ -44,22 +46,6 @@ struct Gap {
 bool larger(const Gap& a, const Gap& b) {
   return std::tuple(b.cells, a.first_cell) < std::tuple(a.cells, b.first_cell);
 }
-
-class Labels {
- public:
-  std::uint32_t add() {
-    parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
-    return parent_.back();
-  }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t root, std::uint32_t other) { parent_[other] = root; }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 class RowReader {
  public:
@@ -157,7 +143,7 @@ class GapSweep {
   }
 
   std::vector<Gap>& listed() { return listed_; }
-  Labels& labels() { return labels_; }
+  UnionFind& labels() { return labels_; }
 
  private:
   void join(const Run& up, Run& run) {
@@ -170,7 +156,7 @@ class GapSweep {
     if (mine == root) return;
     gaps_[slot_[mine]].join(gaps_[slot_[root]]);
     free_.push_back(slot_[root]);
-    labels_.join(mine, root);
+    labels_.join_under(mine, root);
   }
 
   void add(std::uint32_t row, Run& run) {
@@ -220,7 +206,7 @@ class GapSweep {
   RowReader reader_;
   double least_cells_ = 0.0;
   std::uint64_t cells_ = 0, largest_ = 0;
-  Labels labels_;
+  UnionFind labels_;
   std::vector<std::uint32_t> slot_;  // of each label's gap while it is alive
   std::vector<std::uint32_t> free_;
   std::vector<Gap> gaps_;

@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 
 #include "coverage/tracing/ping_tracer.h"
 #include "mesh/base/error.h"
+#include "mesh/base/parallel.h"
 
 namespace swathplan {
 
@@ -27,7 +26,7 @@ constexpr std::size_t kBlocksPerThread = 24;
 void check(const Route& route, const Sonar& sonar, const ScoreOptions& options) {
   if (const auto what = fault(route)) throw InvalidInput("the route cannot be scored: " + *what);
   if (sonar.beams < 2) {
-    throw UsageError(fmt::format("beams = {}; must be at least 2", sonar.beams));
+    throw UsageError("beams", fmt::format("{}", sonar.beams), "must be at least 2");
   }
   if (!(sonar.max_range_m > 0)) {
     throw UsageError(
@@ -38,7 +37,8 @@ void check(const Route& route, const Sonar& sonar, const ScoreOptions& options) 
         fmt::format("share of the swath = {}; must be above 0 and at most 1", options.swath_share));
   }
   if (options.threads < 0) {
-    throw UsageError(fmt::format("threads = {}; must be 0 (all cores) or more", options.threads));
+    throw UsageError("threads", fmt::format("{}", options.threads),
+                     "must be 0 (all cores) or more");
   }
 }
 
@@ -97,15 +97,16 @@ Sums sums_of_rows(const CoverageGrid& grid, std::uint32_t first, std::uint32_t e
 }
 
 Tally tally(const CoverageGrid& grid) {
-  const Sums s = tbb::parallel_reduce(
-      tbb::blocked_range<std::uint32_t>(0, grid.rows(), 64), Sums{},
-      [&](const auto& rows, const Sums& sums) {
-        return sums_of_rows(grid, rows.begin(), rows.end(), sums);
-      },
-      [](Sums a, const Sums& b) {
-        std::transform(a.begin(), a.end(), b.begin(), a.begin(), std::plus<>());
-        return a;
-      });
+  constexpr std::uint32_t kRows = 64;
+  std::vector<Sums> parts((grid.rows() + kRows - 1) / kRows);
+  for_each_index(std::size_t{0}, parts.size(), [&](std::size_t part) {
+    const auto first = static_cast<std::uint32_t>(part) * kRows;
+    parts[part] = sums_of_rows(grid, first, std::min(first + kRows, grid.rows()), Sums{});
+  });
+  Sums s{};
+  for (const Sums& part : parts) {
+    std::transform(s.begin(), s.end(), part.begin(), s.begin(), std::plus<>());
+  }
   return {s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9]};
 }
 
@@ -128,7 +129,7 @@ void fill_figures(const Tally& t, bool footprint, Score& score) {
 // Trace a batch of blocks, then count it, until the route is sailed.
 class Scorer {
  public:
-  Scorer(const Route& route, const ScoringGround& ground, const Sonar& sonar, double draft_m,
+  Scorer(const Route& route, const Ground& ground, const Sonar& sonar, double draft_m,
          const ScoreOptions& options, tbb::task_arena& arena, CoverageGrid& grid)
       : options_(options),
         grid_(grid),
@@ -164,15 +165,15 @@ class Scorer {
 
   void trace(std::size_t blocks) {
     arena_.execute([&] {
-      tbb::parallel_for(std::size_t{0}, blocks,
-                        [&](std::size_t b) { tracers_.local().trace(pings_[b], traces_[b]); });
+      for_each_index(std::size_t{0}, blocks,
+                     [&](std::size_t b) { tracers_.local().trace(pings_[b], traces_[b]); });
     });
   }
 
   std::uint64_t count(std::size_t blocks) {
     std::vector<std::uint64_t> soundings(bands_.count, 0);
     arena_.execute([&] {
-      tbb::parallel_for(std::uint32_t{0}, bands_.count, [&](std::uint32_t band) {
+      for_each_index(std::uint32_t{0}, bands_.count, [&](std::uint32_t band) {
         soundings[band] = count_band({traces_.data(), blocks}, bands_, band, grid_);
       });
     });
@@ -193,7 +194,7 @@ class Scorer {
 
 }  // namespace
 
-ScoredRoute score(const Route& route, const ScoringGround& ground, const Sonar& sonar,
+ScoredRoute score(const Route& route, const Ground& ground, const Sonar& sonar,
                   const Vehicle& vehicle, const ScoreOptions& options) {
   check(route, sonar, options);
   tbb::task_arena arena(thread_count(options));

@@ -3,12 +3,12 @@
 #include <functional>
 #include <optional>
 
+#include "coverage/ground.h"
 #include "coverage/holidays.h"
 #include "coverage/route/pings.h"
 #include "coverage/route/route_figures.h"
 #include "coverage/route/sonar.h"
 #include "coverage/tracing/coverage_grid.h"
-#include "coverage/tracing/ray_scene.h"
 
 namespace swathplan {
 
@@ -53,16 +53,8 @@ struct ScoredRoute {
   CoverageGrid grid;
 };
 
-/// What a route is scored on; built once and shared by all routes of a comparison.
-struct ScoringGround {
-  const Seafloor* seafloor;  ///< the original mesh, not the planning mesh
-  const DepthQuery* depths;
-  const RayScene* scene;
-  Area survey_area;  ///< cells that count
-  Area water;        ///< where the boat may be
-};
-
-/// Traces every beam of every ping of the route against the original seafloor and counts.
+/// Traces every beam of every ping of the route against the ground, which must hold its scene, and
+/// counts.
 /// A sounding counts in the cell that it falls in, as far as the sonar's range reaches.
 /// The footprint of a beam is a rectangle about its sounding, along and across the course. Along:
 /// 2 range tan(beam width / 2). Across, to either side: range x stretch x half of the beam width or
@@ -74,7 +66,7 @@ struct ScoringGround {
 /// Guarantees: (1) the same result for any number of threads; (2) memory 4 bytes a cell plus a
 /// fixed number of pings in flight.
 /// @throws InvalidInput for a route that is not valid; UsageError for an option out of range.
-[[nodiscard]] ScoredRoute score(const Route& route, const ScoringGround& ground, const Sonar& sonar,
+[[nodiscard]] ScoredRoute score(const Route& route, const Ground& ground, const Sonar& sonar,
                                 const Vehicle& vehicle, const ScoreOptions& options);
 
 }  // namespace swathplan

@@ -1,13 +1,14 @@
 #include "coverage/side_scan.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "mesh/base/parallel.h"
+#include "mesh/base/random.h"
 #include "mesh/base/require.h"
 
 namespace swathplan {
@@ -16,23 +17,15 @@ namespace {
 constexpr double kLeastWater = 0.5;  // the vehicle stays so far below the surface
 constexpr double kLeastAltitude = 0.5;
 
-std::uint64_t scrambled(std::uint64_t z) {  // splitmix64's finaliser
-  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-  return z ^ (z >> 31U);
-}
-
 // Speckle of a pixel: a gamma variate of mean 1 with shape `looks`, by its place alone, so that no
 // order of work changes it. Wilson and Hilferty's cube of a normal, within a percent for looks
 // >= 1.
 double speckle(std::uint64_t seed, std::uint64_t place, double looks) {
-  const std::uint64_t a = scrambled(seed + 0x9E3779B97F4A7C15ULL * (2 * place + 1));
-  const std::uint64_t b = scrambled(a + 0x9E3779B97F4A7C15ULL);
-  const double u = (static_cast<double>(a >> 11U) + 0.5) * 0x1.0p-53;
-  const double v = static_cast<double>(b >> 11U) * 0x1.0p-53;
-  const double normal = std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * v);
+  const std::uint64_t a = scrambled(seed + kSplitmixStep * (2 * place + 1));
+  const std::uint64_t b = scrambled(a + kSplitmixStep);
   const double k = 1.0 / (9.0 * looks);
-  const double root = std::max(0.0, 1.0 - k + normal * std::sqrt(k));
+  const double root =
+      std::max(0.0, 1.0 - k + normal(uniform_above_0(a), uniform(b)) * std::sqrt(k));
   return root * root * root;
 }
 
@@ -120,7 +113,7 @@ SideScanImage side_scan_image(const RayScene& scene, const Vec2& from, const Vec
   const auto size = static_cast<std::size_t>(image.rows) * static_cast<std::size_t>(image.columns);
   image.port.assign(size, 0.0F);
   image.starboard.assign(size, 0.0F);
-  tbb::parallel_for(0, image.rows, [&](int row) {
+  for_each_index(0, image.rows, [&](int row) {
     const Vec2 at = from + (row + 0.5) * sonar.ping_spacing_m * course;
     const double depth = depth_below(at);
     const double z = sonar_height_m(depth, sonar);
@@ -156,7 +149,7 @@ NadirHeights nadir_heights(const RayScene& scene, const Vec2& from, const Vec2& 
   const auto columns = static_cast<std::size_t>(result.columns);
   result.z.assign(static_cast<std::size_t>(result.rows) * columns,
                   std::numeric_limits<float>::quiet_NaN());
-  tbb::parallel_for(0, result.rows, [&](int row) {
+  for_each_index(0, result.rows, [&](int row) {
     const Vec2 at = from + (row + 0.5) * sonar.ping_spacing_m * course;
     const double depth = depth_below(at);
     const double z = sonar_height_m(depth, sonar);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mesh/base/error.h"
+#include "mesh/plane/segments.h"
 
 namespace swathplan {
 namespace {
@@ -17,7 +18,7 @@ constexpr double kBarycentricTolerance = 1e-9;
 constexpr double kLeastPlanArea = 1e-12;
 
 double plan_cross(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+  return cross((b - a).head<2>(), (c - a).head<2>());
 }
 
 }  // namespace
@@ -33,7 +34,7 @@ double plan_area_m2(const Seafloor& s) {
   for (const Seafloor::Face& f : s.faces) {
     const Vec2 ab = (s.vertices[f[1]] - s.vertices[f[0]]).head<2>();
     const Vec2 ac = (s.vertices[f[2]] - s.vertices[f[0]]).head<2>();
-    twice += std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+    twice += std::abs(cross(ab, ac));
   }
   return 0.5 * twice;
 }

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <unordered_map>
 
 #include "mesh/base/error.h"
+#include "mesh/edge_table.h"
 #include "mesh/water_level.h"
 
 namespace swathplan {
@@ -13,30 +15,29 @@ namespace {
 /// Leftovers under this size are dust of the clipping lattice, square metres.
 constexpr double kDustM2 = 1e-3;
 
-struct EdgeHash {
-  std::size_t operator()(const std::pair<std::uint32_t, std::uint32_t>& e) const {
-    return std::hash<std::uint64_t>()((static_cast<std::uint64_t>(e.first) << 32) | e.second);
-  }
-};
+/// Edges that no face runs through the other way, in the order of the faces. An edge from a vertex
+/// to itself is its own other way.
+std::vector<EdgeUse> one_way_edges(const Seafloor& seafloor) {
+  std::vector<EdgeUse> border;
+  for_each_edge(edge_uses(seafloor.faces, seafloor.vertices.size()), [&](const auto& edge) {
+    const EdgeUse& first = edge.front();
+    const bool one_way = std::all_of(
+        edge.begin(), edge.end(), [&](const EdgeUse& use) { return use.ascends == first.ascends; });
+    if (one_way && first.low != first.high) border.insert(border.end(), edge.begin(), edge.end());
+  });
+  std::sort(border.begin(), border.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::pair(a.face, a.corner) < std::pair(b.face, b.corner);
+  });
+  return border;
+}
 
 /// Directed border edges of the mesh, joined head to tail into rings.
 std::vector<Ring> boundary_rings(const Seafloor& seafloor) {
-  std::unordered_map<std::pair<std::uint32_t, std::uint32_t>, int, EdgeHash> directed;
-  directed.reserve(seafloor.faces.size() * 3);
-  for (const auto& f : seafloor.faces) {
-    for (std::size_t k = 0; k < 3; ++k) ++directed[{f[k], f[(k + 1) % 3]}];
-  }
-  // In the order of the faces, so that the rings do not depend on the hash.
   std::unordered_multimap<std::uint32_t, std::uint32_t> next;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> border;
-  for (const auto& f : seafloor.faces) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = f[k];
-      const std::uint32_t b = f[(k + 1) % 3];
-      if (directed.contains({b, a})) continue;
-      border.emplace_back(a, b);
-      next.emplace(a, b);
-    }
+  for (const EdgeUse& use : one_way_edges(seafloor)) {
+    border.emplace_back(use.ascends ? use.low : use.high, use.ascends ? use.high : use.low);
+    next.insert(border.back());
   }
   std::vector<Ring> rings;
   for (const auto& [a0, b0] : border) {
@@ -74,9 +75,8 @@ Area survey_area(const Seafloor& seafloor, const SurveyAreaOptions& options) {
   Area area = shoal ? outline(below_level(seafloor, -options.safe_depth_m)) : outline(seafloor);
   if (area.empty()) {
     throw InvalidInput(
-        fmt::format("no water is as deep as {:.2f} m (draft + under-keel margin); lower --draft or "
-                    "--margin, or "
-                    "check --water-level and --z-positive",
+        fmt::format("no water is as deep as {:.2f} m (draft + under-keel margin); lower <draft> or "
+                    "<margin>, or check <water level> and <z positive>",
                     options.safe_depth_m));
   }
   if (options.limit) {

@@ -107,7 +107,7 @@ double sea_depth(double x, double y) {
 
 void check_size(double width, double height, double depth) {
   if (!(width > 0.0 && height > 0.0 && depth > 0.0)) {
-    throw UsageError("--width, --height and --depth must be above 0 metres");
+    throw UsageError("width, height and depth must be above 0 metres");
   }
 }
 
@@ -161,7 +161,7 @@ Seafloor flat(double width, double height, double depth) {
 Seafloor tilted(double width, double height, double depth, Angle slope) {
   check_size(width, height, depth);
   if (!(slope.deg() >= 0.0 && slope.deg() <= 89.0)) {
-    throw UsageError("--slope must lie in [0, 89] degrees");
+    throw UsageError("the slope must lie in [0, 89] degrees");
   }
   const double rise = tan(slope);
   return height_field(nodes(width, height), nodes(height, width),

@@ -16,33 +16,34 @@ double footprint_width_m(const PlanOptions& options) {
   return footprint_width_m(options.sonar, options.resolution_m);
 }
 
-Area reachable_area(const PlanningGround& ground) {
+Area reachable_area(const Ground& ground) {
   Area area = intersect(ground.survey_area, ground.water);
   if (area.empty()) {
     throw InvalidInput(
         "no safe water in the survey area: depth, margin, no-go areas and clearance leave nothing; "
-        "lower --margin or --clearance");
+        "lower <margin> or <clearance>");
   }
   return area;
 }
 
 void check(const PlanOptions& options) {
   if (!(options.resolution_m > 0.0) || !std::isfinite(options.resolution_m)) {
-    throw UsageError(fmt::format("--resolution {}; must be above 0 metres", options.resolution_m));
+    throw UsageError("resolution", fmt::format("{}", options.resolution_m),
+                     "must be above 0 metres");
   }
   if (options.sonar.beams < 2) {
-    throw UsageError(fmt::format("--beams {}; must be at least 2", options.sonar.beams));
+    throw UsageError("beams", fmt::format("{}", options.sonar.beams), "must be at least 2");
   }
   const double opening = options.sonar.max_opening.deg();
   if (!(opening > 0.0 && opening < 180.0)) {
-    throw UsageError(fmt::format("--max-opening {:g}; must lie in (0, 180) degrees", opening));
+    throw UsageError("max opening", fmt::format("{:g}", opening), "must lie in (0, 180) degrees");
   }
   if (options.face_size && !(*options.face_size > 0.0 && std::isfinite(*options.face_size))) {
-    throw UsageError(fmt::format("--face-size {}; must be above 0", *options.face_size));
+    throw UsageError("face size", fmt::format("{}", *options.face_size), "must be above 0");
   }
   if (options.smallest_region_m2 && !(*options.smallest_region_m2 >= 0.0)) {
-    throw UsageError(fmt::format("--smallest-region {}; must be 0 or more square metres",
-                                 *options.smallest_region_m2));
+    throw UsageError("smallest region", fmt::format("{}", *options.smallest_region_m2),
+                     "must be 0 or more square metres");
   }
 }
 
@@ -61,13 +62,13 @@ PlanarMesh mesh_of(const Area& area, const PlanOptions& options, double size_m, 
   return planar_mesh(area, {.hypotenuse_m = size_m, .turn = turn});
 }
 
-PlanarMesh planning_mesh(const PlanningGround& ground, const PlanOptions& options) {
+PlanarMesh planning_mesh(const Ground& ground, const PlanOptions& options) {
   check(options);
   return mesh_of(reachable_area(ground), options, face_size_m(options));
 }
 
 DepthRegions planning_regions(const PlanarMesh& mesh, const std::vector<SharedEdge>& edges,
-                              const PlanningGround& ground, const PlanOptions& options) {
+                              const Ground& ground, const PlanOptions& options) {
   return depth_regions(mesh, edges, *ground.depths,
                        {.bands = options.bands, .smallest_region_m2 = smallest_region_m2(options)});
 }
@@ -88,7 +89,7 @@ FanAngles fan_for_depth(const PlanOptions& options, double depth_m) {
   return {half, half};
 }
 
-Route opened_per_ping(const Route& route, const PlanningGround& ground, const PlanOptions& options,
+Route opened_per_ping(const Route& route, const Ground& ground, const PlanOptions& options,
                       double step_m) {
   Route result;
   const auto& w = route.waypoints;

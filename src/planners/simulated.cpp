@@ -4,17 +4,14 @@
 
 namespace swathplan {
 
-Outcome simulated_hits(const Route& route, const PlanningGround& ground,
-                       const PlanOptions& options) {
-  const ScoringGround scoring{ground.seafloor, ground.depths, ground.scene, ground.survey_area,
-                              ground.water};
+Outcome simulated_hits(const Route& route, const Ground& ground, const PlanOptions& options) {
   ScoreOptions how;
   how.resolution_m = options.resolution_m;
   how.ping_spacing_m = options.ping_spacing_m;
   how.footprint = false;
   how.noise = options.noise;
   how.threads = options.threads;
-  const Score score = swathplan::score(route, scoring, options.sonar, options.vehicle, how).score;
+  const Score score = swathplan::score(route, ground, options.sonar, options.vehicle, how).score;
   Outcome outcome;
   outcome.length_ratio = score.route.length_ratio;
   outcome.cover_pct = score.all.hit_pct;

@@ -4,9 +4,9 @@
 
 namespace swathplan {
 
-/// What a candidate route brings by hits on the seafloor of `ground`, which must hold its scene,
-/// with the sonar, cells, pings and noise of `options`; `what` is left empty.
-[[nodiscard]] Outcome simulated_hits(const Route& route, const PlanningGround& ground,
+/// The outcome of a candidate route by hits, simulated with the sonar, cells, pings and noise of
+/// `options`. `ground` must hold its scene. `what` stays empty.
+[[nodiscard]] Outcome simulated_hits(const Route& route, const Ground& ground,
                                      const PlanOptions& options);
 
 }  // namespace swathplan

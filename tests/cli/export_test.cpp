@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 const std::string kAll = "waypoints,gpx,rtz,kml,lnw,dxf";
 
-std::string plan(const std::string& more) {
+std::string plan_shaft(const std::string& more) {
   return "plan " + dataset("shaft.obj") + " --planner back-and-forth --hit-only " + more;
 }
 
@@ -30,7 +30,7 @@ int count(const std::string& text, const std::string& what) {
 TEST(Export, PlanWritesAllFormatsBesideTheRoute) {
   const Folder folder;
   const auto run =
-      folder.run(plan("--resolution 0.25 --crs EPSG:32630 --export " + kAll + " -o out"));
+      folder.run(plan_shaft("--resolution 0.25 --crs EPSG:32630 --export " + kAll + " -o out"));
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("out/route.waypoints: "));
   EXPECT_THAT(run.err, HasSubstr("from the route"));
@@ -58,18 +58,18 @@ TEST(Export, PlanWritesAllFormatsBesideTheRoute) {
       GDALDataset::Open((folder / "again" / "route.gpx").c_str(), GDAL_OF_VECTOR));
   EXPECT_NEAR(static_cast<double>(points_of(again)), static_cast<double>(points), 3.0);
   // A plan without exports leaves none of an older route behind.
-  ASSERT_EQ(folder.run(plan("--resolution 0.25 --crs EPSG:32630 --quiet -o out")).code, 0);
+  ASSERT_EQ(folder.run(plan_shaft("--resolution 0.25 --crs EPSG:32630 --quiet -o out")).code, 0);
   EXPECT_FALSE(std::filesystem::exists(out / "route.waypoints"));
   EXPECT_TRUE(std::filesystem::exists(out / "route.csv"));
 }
 
 TEST(Export, LocalMetresNeverPoseAsDegrees) {
   const Folder folder;
-  auto run = folder.run(plan("--export waypoints -o out"));
+  auto run = folder.run(plan_shaft("--export waypoints -o out"));
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.err, HasSubstr("--crs EPSG:n"));
   EXPECT_FALSE(std::filesystem::exists(folder / "out")) << "said before the work";
-  ASSERT_EQ(folder.run(plan("--resolution 0.5 --export lnw,dxf -o out")).code, 0);
+  ASSERT_EQ(folder.run(plan_shaft("--resolution 0.5 --export lnw,dxf -o out")).code, 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "out" / "route.lnw"));
   run = folder.run("export out/route.csv --format gpx");
   EXPECT_EQ(run.code, 1);
@@ -134,7 +134,7 @@ TEST(Export, BadOptionsAreNamed) {
   const auto run = folder.run("export nothing.csv --format lnw");
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.err, HasSubstr("nothing.csv"));
-  EXPECT_EQ(folder.run(plan("--export shp -o out")).code, 2);
+  EXPECT_EQ(folder.run(plan_shaft("--export shp -o out")).code, 2);
 }
 
 }  // namespace

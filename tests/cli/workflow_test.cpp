@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "cli/program.h"
 
@@ -35,6 +39,14 @@ TEST(Inspect, SaysWhatIsInTheHarbour) {
   EXPECT_TRUE(json::accept(as_json.out)) << as_json.out;
 }
 
+TEST(Inspect, JsonSurvivesAFileNameThatIsNotUtf8) {
+  const Folder folder;
+  folder.write("r\xF8nne.asc", text_of(dataset("saddle.asc")));
+  const auto run = folder.run("inspect --json 'r\xF8nne.asc'");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(json::accept(run.out)) << run.out;
+}
+
 TEST(Plan, WritesEveryFileAndTheyAgree) {
   const Folder folder;
   const auto run = folder.run("plan " + dataset("saddle.asc") +
@@ -53,6 +65,14 @@ TEST(Plan, WritesEveryFileAndTheyAgree) {
   EXPECT_GT(score.at("length_ratio").get<double>(), 2.0);
   EXPECT_EQ(score.at("self_crossings").get<int>(), 0);
   EXPECT_LT(score.at("outside_water_m").get<double>(), 0.01);
+
+  // The printed table counts all holidays, as score.json does. Four columns follow that count.
+  const std::size_t first = run.out.find('\n') + 1;
+  std::istringstream printed(run.out.substr(first, run.out.find('\n', first) - first));
+  const std::vector<std::string> words{std::istream_iterator<std::string>(printed), {}};
+  ASSERT_GT(words.size(), 5U);
+  EXPECT_EQ(words[words.size() - 5], std::to_string(score.at("holidays").get<std::size_t>()))
+      << run.out;
 
   // The raster says the same as the score: empty cells over all that count.
   GDALAllRegister();

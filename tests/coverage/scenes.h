@@ -59,18 +59,18 @@ inline Route route_through(const std::vector<Vec2>& points, const FanAngles& fan
 }
 
 /// A seafloor with all that scoring needs, kept alive together.
-struct Ground {
-  Ground(Seafloor s, Nodata nodata, Area area)
+struct TestGround {
+  TestGround(Seafloor s, Nodata nodata, Area area)
       : seafloor(std::move(s)), depths(seafloor), scene(seafloor, nodata) {
-    ground = {&seafloor, &depths, &scene, area, area};
+    ground = {&seafloor, &depths, area, area, &scene};
   }
-  Ground(const Ground&) = delete;
-  Ground& operator=(const Ground&) = delete;
+  TestGround(const TestGround&) = delete;
+  TestGround& operator=(const TestGround&) = delete;
 
   Seafloor seafloor;
   DepthQuery depths;
   RayScene scene;
-  ScoringGround ground;
+  swathplan::Ground ground;
 };
 
 inline Eigen::Vector3f direction(double azimuth_deg, double from_nadir_deg) {

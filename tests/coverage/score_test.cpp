@@ -9,7 +9,7 @@
 namespace swathplan {
 namespace {
 
-using testing::Ground;
+using testing::TestGround;
 using testing::rectangle;
 using testing::route_through;
 
@@ -23,7 +23,7 @@ FanAngles even_fan(double half_deg) { return {Angle::degrees(half_deg), Angle::d
 
 /// One pass along the grid over exactly W = 25.6 m.
 double single_pass_pct(double depth) {
-  const Ground g(flat(100, 100, depth), Nodata::wall, rectangle(37.2, 30, 62.8, 70));
+  const TestGround g(flat(100, 100, depth), Nodata::wall, rectangle(37.2, 30, 62.8, 70));
   const double half = std::atan(12.8 / depth) * 180 / M_PI;
   const Route route = route_through({{50, 20}, {50, 80}}, even_fan(half));
   return score(route, g.ground, {}, at_the_surface(), {}).score.all.hit_pct;
@@ -38,7 +38,7 @@ TEST(Score, ASinglePassHitsAsManyCellsAsItsBeamsReach) {
 TEST(Score, CountsTheInnerShareOfEachSideOfASwath) {
   // Sides of 10 and 20 m: of the 30 m swept, half is left, 5 and 10 m off the track.
   const double depth = 10;
-  const Ground g(flat(100, 100, depth), Nodata::wall, rectangle(0, 40, 100, 60));
+  const TestGround g(flat(100, 100, depth), Nodata::wall, rectangle(0, 40, 100, 60));
   const FanAngles fan{Angle::degrees(45), Angle::radians(std::atan(2.0))};
   const Route route = route_through({{50, 20}, {50, 80}}, fan);
   ScoreOptions options;
@@ -64,7 +64,7 @@ TEST(Score, CountsTheInnerShareOfEachSideOfASwath) {
 TEST(Score, CountsEverySoundingInTheCellUnderIt) {
   // Cells of 1 m and pings each metre: every beam's cell is known.
   const double depth = 10;
-  const Ground g(flat(60, 60, depth), Nodata::wall, rectangle(10, 10, 50, 50));
+  const TestGround g(flat(60, 60, depth), Nodata::wall, rectangle(10, 10, 50, 50));
   const Route route = route_through({{30.3, 20.5}, {30.3, 39.5}}, even_fan(50));
   Sonar sonar;
   sonar.beams = 33;
@@ -91,7 +91,7 @@ TEST(Score, CountsEverySoundingInTheCellUnderIt) {
 }
 
 TEST(Score, PortAndStarboardAreWhereTheCourseSays) {
-  const Ground g(flat(60, 60, 10), Nodata::wall, rectangle(0, 0, 60, 60));
+  const TestGround g(flat(60, 60, 10), Nodata::wall, rectangle(0, 0, 60, 60));
   const FanAngles to_starboard{Angle::degrees(1), Angle::degrees(60)};
   // Sailing north, starboard is east.
   const Route route = route_through({{30, 20}, {30, 40}}, to_starboard);
@@ -126,7 +126,7 @@ Route winding(double half_deg) {
 
 TEST(Score, IsTheSameForAnyNumberOfThreads) {
   const Seafloor floor = saddle();
-  const Ground g(floor, Nodata::wall, outline(floor));
+  const TestGround g(floor, Nodata::wall, outline(floor));
   ScoreOptions options;
   options.ping_spacing_m = 0.2;
   options.noise.roll_sigma = Angle::degrees(2);
@@ -144,7 +144,7 @@ TEST(Score, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Score, LoggedFiguresCountLoggedLegsOnly) {
-  const Ground g(flat(100, 100, 10), Nodata::wall, rectangle(20, 20, 80, 80));
+  const TestGround g(flat(100, 100, 10), Nodata::wall, rectangle(20, 20, 80, 80));
   Route both = route_through({{50, 10}, {50, 50}, {50, 90}}, even_fan(50));
   both.waypoints[1].log = false;
   const Score with_transit = score(both, g.ground, {}, {}, {}).score;
@@ -158,7 +158,7 @@ TEST(Score, LoggedFiguresCountLoggedLegsOnly) {
 }
 
 TEST(Score, OverlapAndLegsAreCountedPerCell) {
-  const Ground g(flat(100, 100, 10), Nodata::wall, rectangle(37.2, 30, 62.8, 70));
+  const TestGround g(flat(100, 100, 10), Nodata::wall, rectangle(37.2, 30, 62.8, 70));
   const double half = std::atan(12.8 / 10.0) * 180 / M_PI;
   Route twice = route_through({{50, 20}, {50, 80}, {50, 80}, {50, 20}}, even_fan(half));
   twice.waypoints[2].line = 1;
@@ -173,7 +173,7 @@ TEST(Score, OverlapAndLegsAreCountedPerCell) {
 
 TEST(Score, RollSwingsTheFanToPortWhenStarboardGoesDown) {
   // A roll of +10 degrees on a fan of 20 to each side is a fan of 30 to port and 10 to starboard.
-  const Ground g(flat(60, 60, 10), Nodata::wall, rectangle(0, 0, 60, 60));
+  const TestGround g(flat(60, 60, 10), Nodata::wall, rectangle(0, 0, 60, 60));
   const Route route = route_through({{30, 20}, {30, 40}}, even_fan(20));
   TrackNoise noise;
   noise.roll_sigma = Angle::degrees(10);
@@ -209,7 +209,7 @@ TEST(Score, TurningAndShiftingEverythingByWholeCellsChangesNoFigure) {
     for (Vec3& v : s.vertices) v.head<2>() = move(v.head<2>());
     Route route = winding(40);
     for (Waypoint& w : route.waypoints) w.position = move(w.position);
-    const Ground g(s, Nodata::wall, outline(s));
+    const TestGround g(s, Nodata::wall, outline(s));
     ScoreOptions options;
     options.resolution_m = 0.25;
     options.ping_spacing_m = 0.25;
@@ -224,7 +224,7 @@ TEST(Score, TurningAndShiftingEverythingByWholeCellsChangesNoFigure) {
 }
 
 TEST(Score, ReportsProgressUpToTheEnd) {
-  const Ground g(flat(60, 60, 10), Nodata::wall, rectangle(0, 0, 60, 60));
+  const TestGround g(flat(60, 60, 10), Nodata::wall, rectangle(0, 0, 60, 60));
   ScoreOptions options;
   double share = 0.0;
   std::uint64_t rays = 0;
@@ -239,7 +239,7 @@ TEST(Score, ReportsProgressUpToTheEnd) {
 }
 
 TEST(Score, RefusesWhatCannotBeScored) {
-  const Ground g(flat(60, 60, 10), Nodata::wall, rectangle(0, 0, 60, 60));
+  const TestGround g(flat(60, 60, 10), Nodata::wall, rectangle(0, 0, 60, 60));
   Route route = winding(30);
   Sonar sonar;
   sonar.beams = 0;

@@ -102,7 +102,8 @@ inline Provenance provenance() {
                       {"beams", 256},
                       {"sonar", std::string("norbit-iwbms")},
                       {"depth_band_limits_m", std::vector<double>{8.0, 15.5}},
-                      {"footprint", true}}};
+                      {"footprint", true}},
+          .derived = {}};
 }
 
 /// UTM zone 33N, near Roenne.

@@ -11,7 +11,7 @@
 namespace swathplan {
 namespace {
 
-double plan_area(const Seafloor& s) {
+double area_seen_from_above(const Seafloor& s) {
   double twice = 0.0;
   for (const Seafloor::Face& f : s.faces) {
     const Vec2 ab = (s.vertices[f[1]] - s.vertices[f[0]]).head<2>();
@@ -22,7 +22,7 @@ double plan_area(const Seafloor& s) {
 }
 
 /// Edges with one face, by their vertices.
-std::size_t border_edges(const Seafloor& s) {
+std::size_t edges_of_one_face(const Seafloor& s) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
   for (const Seafloor::Face& f : s.faces) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -58,8 +58,8 @@ TEST(WaterLevel, PlaneIsCutAlongItsShoreline) {
   // z = x - 7.25: under water for x < 7.25, so 7.25 of 20 columns.
   const Seafloor s = sheet([](double i, double) { return i - 7.25; });
   const Seafloor wet = below_level(s, 0.0);
-  EXPECT_NEAR(plan_area(wet), 7.25 * 20.0, 1e-9);
-  EXPECT_NEAR(plan_area(below_level(s, 3.0)), 10.25 * 20.0, 1e-9);
+  EXPECT_NEAR(area_seen_from_above(wet), 7.25 * 20.0, 1e-9);
+  EXPECT_NEAR(area_seen_from_above(below_level(s, 3.0)), 10.25 * 20.0, 1e-9);
 }
 
 TEST(WaterLevel, NoVertexIsAboveAndKeptOnesAreUnmoved) {
@@ -84,7 +84,7 @@ TEST(WaterLevel, PartsBelowAndAboveMakeTheWhole) {
   const Seafloor s = sheet([&](double, double) { return height(random); });
   Seafloor upside_down = s;
   for (Vec3& v : upside_down.vertices) v.z() = -v.z();
-  EXPECT_NEAR(plan_area(below_level(s, 0.0)) + plan_area(below_level(upside_down, 0.0)), 400.0,
+  EXPECT_NEAR(area_seen_from_above(below_level(s, 0.0)) + area_seen_from_above(below_level(upside_down, 0.0)), 400.0,
               1e-9);
 }
 
@@ -95,13 +95,13 @@ TEST(WaterLevel, NoCrackOpensWhereFacesWereCut) {
   std::size_t on_shore = 0;
   for (const Vec3& v : wet.vertices) on_shore += v.z() == 0.0 ? 1 : 0;
   EXPECT_GT(on_shore, 20U);
-  EXPECT_EQ(border_edges(wet), on_shore);
+  EXPECT_EQ(edges_of_one_face(wet), on_shore);
 }
 
 TEST(WaterLevel, AllWaterStaysAndAllLandGoes) {
   const Seafloor s = saddle();
   EXPECT_EQ(below_level(s, 0.0).faces.size(), s.faces.size());
-  EXPECT_NEAR(plan_area(below_level(s, 0.0)), plan_area(s), 1e-9);
+  EXPECT_NEAR(area_seen_from_above(below_level(s, 0.0)), area_seen_from_above(s), 1e-9);
   EXPECT_TRUE(below_level(s, -1000.0).faces.empty());
   EXPECT_TRUE(below_level(s, -1000.0).vertices.empty());
 }

@@ -4,35 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "mesh/base/error.h"
+#include "mesh/base/random.h"
 
 namespace swathplan {
 
 namespace {
 
-// (0, 1), never 0, from the upper 53 bits.
-double uniform(std::mt19937_64& random) {
-  return (static_cast<double>(random() >> 11U) + 0.5) * 0x1p-53;
-}
-
-// Box-Muller rather than std::normal_distribution, which differs between standard libraries.
-std::array<double, 2> normal_pair(std::mt19937_64& random) {
-  const double radius = std::sqrt(-2.0 * std::log(uniform(random)));
-  const double angle = 2.0 * std::numbers::pi * uniform(random);
-  return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
+// Braces draw the numbers from left to right.
 std::array<double, 4> normals(std::mt19937_64& random) {
-  const auto [a, b] = normal_pair(random);
-  const auto [c, d] = normal_pair(random);
+  const std::array<double, 4> u{uniform_above_0(random()), uniform_above_0(random()),
+                                uniform_above_0(random()), uniform_above_0(random())};
+  const auto [a, b] = normal_pair(u[0], u[1]);
+  const auto [c, d] = normal_pair(u[2], u[3]);
   return {a, b, c, d};
 }
 
 void check(double spacing_m, const TrackNoise& noise) {
   if (!(spacing_m > 0) || !std::isfinite(spacing_m)) {
-    throw UsageError(fmt::format("ping spacing = {} m; must be greater than 0", spacing_m));
+    throw UsageError("ping spacing", fmt::format("{} m", spacing_m), "must be greater than 0");
   }
   if (!(noise.correlation_length_m > 0)) {
     throw UsageError(fmt::format("correlation length = {} m; must be greater than 0",

@@ -9,6 +9,7 @@
 
 #include "mesh/plane/area_query.h"
 #include "mesh/plane/path_meetings.h"
+#include "mesh/plane/segments.h"
 
 namespace swathplan {
 
@@ -30,7 +31,7 @@ std::vector<Vec2> distinct_points(const Route& route) {
 double bend(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 in = b - a;
   const Vec2 out = c - b;
-  return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+  return turn_angle(in, out);
 }
 
 void add_lengths(const Route& route, RouteFigures& figures) {

@@ -7,6 +7,7 @@
 
 #include "coverage/route/route_figures.h"
 #include "mesh/plane/area_query.h"
+#include "mesh/plane/segments.h"
 
 namespace swathplan {
 namespace {
@@ -70,7 +71,7 @@ struct Bend {
 Bend bend(const Vec2& a, const Vec2& b, const Vec2& c, double smallest_m) {
   const Vec2 in = b - a;
   const Vec2 out = c - b;
-  const double angle = std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)));
+  const double angle = std::abs(turn_angle(in, out));
   const double tangent = std::tan(0.5 * angle);
   const double radius = 0.5 * std::min(in.norm(), out.norm()) / std::max(tangent, 1e-300);
   return {radius, std::min(0.5 * (in.norm() + out.norm()), smallest_m * angle)};

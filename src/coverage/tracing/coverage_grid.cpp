@@ -1,13 +1,13 @@
 #include "coverage/tracing/coverage_grid.h"
 
 #include <fmt/core.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <new>
 
 #include "mesh/base/error.h"
+#include "mesh/base/parallel.h"
 
 namespace swathplan {
 
@@ -45,7 +45,7 @@ class RowCrossings {
   // Rows in parallel: `fill` may write to its own row only.
   template <class Fill>
   void for_each_span(Fill fill) const {
-    tbb::parallel_for(std::uint32_t{0}, grid_.rows(), [&](std::uint32_t r) {
+    for_each_index(std::uint32_t{0}, grid_.rows(), [&](std::uint32_t r) {
       for (std::size_t k = first_[r]; k + 1 < first_[r + 1]; k += 2) fill(r, x_[k], x_[k + 1]);
     });
   }
@@ -123,8 +123,8 @@ void mark_level_edges(CoverageGrid& grid, const Ring& ring) {
 
 GridSize grid_size(const Area& area, double resolution_m) {
   if (!(resolution_m > 0) || !std::isfinite(resolution_m)) {
-    throw UsageError(
-        fmt::format("resolution = {} m; must be greater than 0 and finite", resolution_m));
+    throw UsageError("resolution", fmt::format("{} m", resolution_m),
+                     "must be greater than 0 and finite");
   }
   const Box2 box = extent(area);
   if (box.empty()) throw InvalidInput("the survey area is empty; give an area that meets the data");
@@ -132,10 +132,12 @@ GridSize grid_size(const Area& area, double resolution_m) {
   const double rows = cells_across(box.size().y(), resolution_m);
   const auto limit = static_cast<double>(CoverageGrid::kMaxCells);
   if (columns * rows > limit) {
-    throw UsageError(fmt::format(
-        "resolution = {} m; the scoring grid would hold {:.0f} x {:.0f} = {:.3g} cells ({:.3g} GB) "
-        "and the limit is {:.3g} cells (8 GB): use a coarser resolution or a smaller area",
-        resolution_m, columns, rows, columns * rows, columns * rows * 4e-9, limit));
+    throw UsageError(
+        "resolution", fmt::format("{} m", resolution_m),
+        fmt::format(
+            "the scoring grid would hold {:.0f} x {:.0f} = {:.3g} cells ({:.3g} GB) "
+            "and the limit is {:.3g} cells (8 GB): use a coarser resolution or a smaller area",
+            columns, rows, columns * rows, columns * rows * 4e-9, limit));
   }
   return {static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows)};
 }

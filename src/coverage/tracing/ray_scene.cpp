@@ -8,8 +8,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "coverage/tracing/border_edges_internal.h"
 #include "coverage/tracing/ray_scene_internal.h"
+#include "mesh/border_edges.h"
 
 namespace swathplan {
 

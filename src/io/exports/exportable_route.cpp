@@ -7,17 +7,16 @@
 #include "io/files/csv.h"
 #include "io/files/lonlat.h"
 #include "io/files/text.h"
-#include "io/files/text_fields.h"
 #include "io/route/read_route.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
 namespace {
 
-/// Coordinates of a file that differ by less are the same: the rounding of both (1 m).
+/// Coordinates that differ by less (1 m) are the same place. The rounding of files explains them.
 constexpr double kSamePlaceDeg = 1e-5;
 
-/// Exports hold no fans, so that any will do where a file has none.
+/// Exports hold no fans. So any fan will do where a file has none.
 const RouteDefaults kDefaults{
     .fan = FanAngles{.port = Angle::degrees(60), .starboard = Angle::degrees(60)}};
 
@@ -27,9 +26,9 @@ Frame frame_of(const std::string& crs_wkt) {
 
 Frame utm_frame(const Vec2& lonlat) { return frame_of(utm_crs(lonlat.x(), lonlat.y())); }
 
-/// The columns lon_deg,lat_deg of a CSV file; empty if they are missing or not full.
+/// The columns lon_deg,lat_deg of a CSV file; empty if they are missing or a cell is not a number.
 std::vector<Vec2> lonlat_columns(std::string_view text) {
-  const internal::CsvTable table = internal::parse_csv(text);
+  const CsvTable table = parse_csv(text);
   const auto column = [&](const char* name) {
     return static_cast<std::size_t>(std::find(table.header.begin(), table.header.end(), name) -
                                     table.header.begin());
@@ -39,8 +38,8 @@ std::vector<Vec2> lonlat_columns(std::string_view text) {
   std::vector<Vec2> result;
   for (const auto& row : table.rows) {
     if (std::max(lon, lat) >= std::min(row.fields.size(), table.header.size())) return {};
-    const auto x = internal::number(row.fields[lon]);
-    const auto y = internal::number(row.fields[lat]);
+    const auto x = to_finite_number(row.fields[lon]);
+    const auto y = to_finite_number(row.fields[lat]);
     if (!x || !y) return {};
     result.emplace_back(*x, *y);
   }
@@ -50,13 +49,12 @@ std::vector<Vec2> lonlat_columns(std::string_view text) {
 void check_same_place(const PlacedRoute& placed, const std::vector<Vec2>& lonlat,
                       const std::string& file) {
   if (lonlat.empty()) return;
-  const auto converted =
-      internal::LonLat(placed.frame).from_local(positions(placed.route.waypoints));
+  const auto converted = LonLat(placed.frame).from_local(positions(placed.route.waypoints));
   for (std::size_t i = 0; i < lonlat.size(); ++i) {
     if ((converted[i] - lonlat[i]).norm() < kSamePlaceDeg) continue;
     throw InvalidInput(fmt::format(
         "'{}', waypoint {}: x_m,y_m in {} lie at ({:.6f}, {:.6f}), but lon_deg,lat_deg say "
-        "({:.6f}, {:.6f}): leave out --crs, or give that of the seafloor's file",
+        "({:.6f}, {:.6f}): leave out <CRS>, or give that of the seafloor's file",
         file, i, crs_name(placed.frame.crs_wkt), converted[i].x(), converted[i].y(), lonlat[i].x(),
         lonlat[i].y()));
   }
@@ -69,9 +67,7 @@ class Reader {
 
   [[nodiscard]] PlacedRoute read(const Frame& frame) const {
     ImportedRoute imported = read_route(path_, frame, kDefaults);
-    notes_ = std::move(imported.notes);
-    std::erase_if(notes_,
-                  [](const std::string& note) { return note.find(" fan") != std::string::npos; });
+    notes_ = std::move(imported.notes);  // without the note on fans: exports hold none
     return {std::move(imported.route), frame, nullptr};
   }
 
@@ -89,10 +85,10 @@ bool is_geojson_in_degrees(std::string_view text) {
 ExportableRoute read_exportable_route(const std::filesystem::path& path,
                                       const std::string& crs_wkt) {
   if (is_geographic(crs_wkt)) {
-    throw UsageError(fmt::format("--crs {} is in degrees; must be the projected one of x_m,y_m",
+    throw UsageError(fmt::format("<CRS> {} is in degrees; must be the projected one of x_m,y_m",
                                  crs_name(crs_wkt)));
   }
-  const std::string text = internal::read_text(path);
+  const std::string text = read_text(path);
   ExportableRoute result;
   const Reader reader(path, result.notes);
   if (!crs_wkt.empty() || is_geojson_in_degrees(text)) {
@@ -105,7 +101,7 @@ ExportableRoute read_exportable_route(const std::filesystem::path& path,
     if (crs_wkt.empty()) {
       result.notes.push_back(
           fmt::format("eastings and northings are those of {}: give another "
-                      "with --crs EPSG:n",
+                      "with <CRS> EPSG:n",
                       crs_name(frame.crs_wkt)));
     } else if (!trim(text).starts_with('{')) {
       check_same_place(result.planar, lonlat_columns(text), path.string());
@@ -119,7 +115,7 @@ ExportableRoute read_exportable_route(const std::filesystem::path& path,
       trim(text).starts_with('{') ? std::vector<Vec2>() : lonlat_columns(text);
   if (lonlat.empty()) return result;
   result.geographic.frame = utm_frame(lonlat.front());
-  const std::vector<Vec2> local = internal::LonLat(result.geographic.frame).to_local(lonlat);
+  const std::vector<Vec2> local = LonLat(result.geographic.frame).to_local(lonlat);
   for (std::size_t i = 0; i < local.size(); ++i) {
     result.geographic.route.waypoints[i].position = local[i];
   }

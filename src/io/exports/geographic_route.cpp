@@ -6,6 +6,7 @@
 #include "coverage/route/thin_route.h"
 #include "io/files/lonlat.h"
 #include "mesh/base/error.h"
+#include "mesh/plane/segments.h"
 
 namespace swathplan {
 namespace {
@@ -13,10 +14,10 @@ namespace {
 /// The share of the tolerance that the bend of segments may use; the rest is for thinning.
 constexpr double kBendShare = 0.1;
 
-/// For each segment the distance of its middle in longitude and latitude from the straight one:
-/// the bend's largest, since it is even.
+/// The bend of each segment: how far its middle in longitude and latitude lies from the middle of
+/// the straight line. The bend is even, so this is the largest distance.
 std::vector<double> bends(const std::vector<Vec2>& local, const std::vector<Vec2>& lonlat,
-                          const internal::LonLat& conversion) {
+                          const LonLat& conversion) {
   std::vector<Vec2> middles;
   for (std::size_t i = 1; i < lonlat.size(); ++i) {
     Vec2 step = lonlat[i] - lonlat[i - 1];
@@ -29,13 +30,13 @@ std::vector<double> bends(const std::vector<Vec2>& local, const std::vector<Vec2
     const Vec2 along = local[i + 1] - local[i];
     const Vec2 off = middles[i] - local[i];
     const double length = along.norm();
-    result.push_back(length > 0.0 ? std::abs(along.x() * off.y() - along.y() * off.x()) / length
+    result.push_back(length > 0.0 ? std::abs(cross(along, off)) / length
                                   : off.norm());
   }
   return result;
 }
 
-/// Each segment cut into equal parts that bend no more than `most_m`: a part of 1/n of the length
+/// Cuts each segment into equal parts that bend no more than `most_m`. A part of 1/n of the length
 /// bends by 1/n^2.
 Route divided(const Route& route, const std::vector<double>& bend, double most_m) {
   Route result;
@@ -55,14 +56,14 @@ Route divided(const Route& route, const std::vector<double>& bend, double most_m
 
 GeographicRoute geographic_route(const Route& route, const Frame& frame, double tolerance_m,
                                  const AreaQuery* water) {
-  const internal::LonLat conversion(frame);
+  const LonLat conversion(frame);
   if (!conversion.known()) {
-    throw InvalidInput("the route has no coordinate reference system: give it with --crs EPSG:n");
+    throw InvalidInput("the route has no coordinate reference system: give it with <CRS> EPSG:n");
   }
   const ThinnedRoute thinned = thin_route(route, (1.0 - kBendShare) * tolerance_m, water);
   std::vector<Vec2> local = positions(thinned.route.waypoints);
   const std::vector<double> bend = bends(local, conversion.from_local(local), conversion);
-  // Half the share, since parts of a curve that is only nearly a parabola differ a little.
+  // Half the share: the curve is only nearly a parabola, so the bends of its parts differ a little.
   GeographicRoute result{divided(thinned.route, bend, 0.5 * kBendShare * tolerance_m), {}, 0.0};
   local = positions(result.route.waypoints);
   result.lonlat = conversion.from_local(local);

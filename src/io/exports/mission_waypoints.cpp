@@ -19,7 +19,7 @@ constexpr int kGlobalRelativeAltitude = 3;
 constexpr int kGroundSpeed = 1;
 constexpr int kThrottleUnchanged = -1;
 
-/// Stretches of the route, first and last waypoint, one for each mission.
+/// The first and the last waypoint of each mission.
 using Part = std::pair<std::size_t, std::size_t>;
 
 bool speed_changes(const Route& route, std::size_t i, std::size_t first) {
@@ -35,13 +35,13 @@ Mission mission(const GeographicRoute& route, const Part& part) {
   const auto [first, last] = part;
   Mission result{"QGC WPL 110\n" + waypoint(0, 1, kGlobal, route.lonlat[first]), 1};
   for (std::size_t i = first; i <= last; ++i) {
-    // What is set before a waypoint holds on the way to it.
+    // A speed that is set before a waypoint holds on the way to it.
     const std::size_t leg = i == first ? first : i - 1;
     if (i != first + 1 && speed_changes(route.route, leg, first)) {
-      result.text += fmt::format("{}\t0\t{}\t{}\t{}\t{}\t{}\t0\t0\t0\t0\t1\n", result.items++,
-                                 kGlobalRelativeAltitude, kDoChangeSpeed, kGroundSpeed,
-                                 internal::decimal(route.route.waypoints[leg].speed_mps, 3),
-                                 kThrottleUnchanged);
+      result.text +=
+          fmt::format("{}\t0\t{}\t{}\t{}\t{}\t{}\t0\t0\t0\t0\t1\n", result.items++,
+                      kGlobalRelativeAltitude, kDoChangeSpeed, kGroundSpeed,
+                      decimal(route.route.waypoints[leg].speed_mps, 3), kThrottleUnchanged);
     }
     result.text += waypoint(result.items++, 0, kGlobalRelativeAltitude, route.lonlat[i]);
   }
@@ -69,7 +69,7 @@ std::vector<Part> parts_of(const Route& route, std::size_t most_items) {
   std::vector<Part> parts;
   for (std::size_t first = 0; first < end;) {
     const std::size_t reach = farthest(route, first, most_items);
-    // Rather a somewhat shorter mission than a line cut in two; half as long at the least.
+    // A shorter mission is better than a line cut in two, but not one less than half as long.
     const std::size_t shortest = first + std::max<std::size_t>(1, (reach - first) / 2);
     std::size_t last = reach;
     while (reach < end && last > shortest && !ends_line[last]) --last;

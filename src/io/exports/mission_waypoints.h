@@ -14,18 +14,18 @@ struct Mission {
   std::size_t items;  ///< all of them, the home position too
 };
 
-/// The most items that ArduPilot's boards with 16 kB of storage hold for boats and rovers, home
-/// included (StorageManager.cpp).
+/// The most items of a mission for boats and rovers on ArduPilot's boards with 16 kB of storage.
+/// Home counts too. The number comes from ArduPilot's StorageManager.cpp.
 inline constexpr std::size_t kArduPilotItems = 724;
 /// The smallest part a mission can be cut into: home, a speed and two waypoints.
 inline constexpr std::size_t kFewestItems = 4;
 
-/// The route as MAVLink plain-text missions ('QGC WPL 110'): home at the first waypoint, then
-/// NAV_WAYPOINT items at altitude 0 relative to home, and DO_CHANGE_SPEED before the waypoint to
-/// which a leg of another speed leads. Acceptance radius and holding time are left to the vehicle.
-/// One mission; with `most_items` > 0 as many as are needed for none to hold more. A mission then
-/// begins where the one before ends, if it can at the end of a survey line. `most_items` is 0 or
-/// at least kFewestItems.
+/// The route as MAVLink plain-text missions ('QGC WPL 110'). Home is the first waypoint.
+/// NAV_WAYPOINT items follow at altitude 0 relative to home. Where the speed changes,
+/// DO_CHANGE_SPEED stands before the waypoint to which the leg leads. The vehicle chooses
+/// acceptance radius and holding time. `most_items` is 0 or at least kFewestItems. With 0 there is
+/// one mission. Otherwise the route is cut into missions that hold no more items each. A mission
+/// begins where the one before ends, at the end of a survey line if possible.
 [[nodiscard]] std::vector<Mission> mission_waypoints(const GeographicRoute& route,
                                                      std::size_t most_items = 0);
 

@@ -4,6 +4,7 @@
 #include <ogrsf_frmts.h>
 
 #include "io/files/atomic_file.h"
+#include "io/files/gdal_at_home.h"
 #include "io/files/quiet_gdal.h"
 #include "mesh/base/error.h"
 
@@ -23,7 +24,7 @@ bool add_leg(OGRLayer& layer, const Route& route, const Leg& leg, const Frame& f
 }
 
 bool write(const std::filesystem::path& path, const Route& route, const Frame& frame) {
-  GDALAllRegister();
+  register_gdal();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("DXF");
   if (driver == nullptr) return false;
   const GDALDatasetUniquePtr drawing(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));

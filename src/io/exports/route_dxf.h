@@ -6,8 +6,8 @@
 
 namespace swathplan {
 
-/// Writes the route as AutoCAD DXF: a polyline for each leg in the coordinates of the input file,
-/// in a layer named after its kind (line, turn, transit, ...), at height 0.
+/// Writes the route as AutoCAD DXF. Each leg is a polyline at height 0 in the coordinates of the
+/// input file. Its layer is named after the kind of the leg (line, turn, transit, ...).
 /// @throws InvalidInput if the file cannot be written.
 void write_route_dxf(const std::filesystem::path& path, const Route& route, const Frame& frame);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 #include "coverage/route/thin_route.h"
@@ -32,6 +33,9 @@ constexpr std::array<std::pair<ExportFormat, std::string_view>, 6> kNames{{
     {ExportFormat::dxf, "dxf"},
 }};
 
+/// A value that is no enumerator is a bug of the caller. No other format may stand in for it.
+[[noreturn]] void throw_unknown_format() { throw std::logic_error("unknown format of an export"); }
+
 std::string names_where(bool geographic, const char* separator) {
   std::string names;
   for (const auto& [format, text] : kNames) {
@@ -49,7 +53,7 @@ fs::path part_name(const fs::path& folder, const std::string& stem, std::size_t 
   return folder / fmt::format("{}{}.waypoints", stem, number);
 }
 
-/// All parts of missions in a folder.
+/// All files in a folder that are parts of the mission `stem`.
 std::vector<fs::path> mission_parts(const fs::path& folder, const std::string& stem) {
   std::vector<fs::path> parts;
   std::error_code error;
@@ -76,7 +80,7 @@ void write_missions(const fs::path& folder, const std::string& stem, const Geogr
   if (longest <= kArduPilotItems) return;
   done.warnings.push_back(fmt::format(
       "the mission has {} items, but ArduPilot's boards without a memory card hold {}: allow a "
-      "larger tolerance, or cut it into parts with --mission-items {}",
+      "larger tolerance, or cut it into parts with <mission items> {}",
       longest, kArduPilotItems, kArduPilotItems));
 }
 
@@ -84,7 +88,8 @@ std::string text_of(ExportFormat format, const GeographicRoute& route, const std
                     const ExportOptions& options) {
   if (format == ExportFormat::gpx) return route_gpx(route, stem);
   if (format == ExportFormat::rtz) return route_rtz(route, stem, options.tolerance_m);
-  return route_kml(route, stem);
+  if (format == ExportFormat::kml) return route_kml(route, stem);
+  throw_unknown_format();
 }
 
 void write_geographic(const fs::path& folder, const std::string& stem, const PlacedRoute& placed,
@@ -122,10 +127,12 @@ void write_planar(const fs::path& folder, const std::string& stem, const PlacedR
   done.files.push_back(folder / fmt::format("{}.{}", stem, name(done.format)));
   if (done.format == ExportFormat::dxf) {
     write_route_dxf(done.files.back(), thinned.route, planar.frame);
-  } else {
+  } else if (done.format == ExportFormat::lnw) {
     done.waypoints = waypoints_on_lines(thinned.route);
     done.of = waypoints_on_lines(planar.route);
     write_text_atomically(done.files.back(), route_lnw(thinned.route, planar.frame));
+  } else {
+    throw_unknown_format();
   }
 }
 
@@ -136,9 +143,10 @@ void check_route(const Route& route) {
 }  // namespace
 
 std::string_view name(ExportFormat format) {
-  return std::find_if(kNames.begin(), kNames.end(),
-                      [&](const auto& n) { return n.first == format; })
-      ->second;
+  for (const auto& [known, text] : kNames) {
+    if (known == format) return text;
+  }
+  throw_unknown_format();
 }
 
 std::vector<ExportFormat> all_export_formats() {
@@ -161,7 +169,17 @@ ExportFormat export_format(std::string_view text) {
 }
 
 bool is_geographic(ExportFormat format) {
-  return format != ExportFormat::lnw && format != ExportFormat::dxf;
+  switch (format) {
+    case ExportFormat::waypoints:
+    case ExportFormat::gpx:
+    case ExportFormat::rtz:
+    case ExportFormat::kml:
+      return true;
+    case ExportFormat::lnw:
+    case ExportFormat::dxf:
+      return false;
+  }
+  throw_unknown_format();
 }
 
 void check(const ExportOptions& options) {
@@ -171,8 +189,8 @@ void check(const ExportOptions& options) {
                     options.tolerance_m, kLeastToleranceM));
   }
   if (options.mission_items != 0 && options.mission_items < kFewestItems) {
-    throw UsageError(fmt::format("--mission-items {}; must be 0 (one file) or at least {}",
-                                 options.mission_items, kFewestItems));
+    throw UsageError("mission items", fmt::format("{}", options.mission_items),
+                     fmt::format("must be 0 (one file) or at least {}", kFewestItems));
   }
 }
 
@@ -182,7 +200,7 @@ void check_export_crs(const std::vector<ExportFormat>& formats, const Frame& fra
     if (!is_geographic(format)) continue;
     throw InvalidInput(
         fmt::format("the format '{}' is in longitude and latitude, but the route has no coordinate "
-                    "reference system: give it with --crs EPSG:n, or choose {}",
+                    "reference system: give it with <CRS> EPSG:n, or choose {}",
                     name(format), names_where(false, " or ")));
   }
 }

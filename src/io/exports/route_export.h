@@ -14,6 +14,7 @@ namespace swathplan {
 /// Files that autopilots, chart systems and survey packages read; see docs/exports.md.
 enum class ExportFormat { waypoints, gpx, rtz, kml, lnw, dxf };
 /// The name on the command line, which is the file's extension too.
+/// @throws std::logic_error for a value that is none of the formats, as every function here does.
 [[nodiscard]] std::string_view name(ExportFormat format);
 [[nodiscard]] std::vector<ExportFormat> all_export_formats();
 /// All names, separated by commas.
@@ -27,7 +28,7 @@ struct ExportOptions {
   std::vector<ExportFormat> formats;
   /// How far the path of an exported route may lie from the planned one; at least kLeastToleranceM.
   double tolerance_m = 0.10;
-  /// The most items of a mission, home included; longer ones are cut into parts. 0: one file.
+  /// The most items of a mission. Home counts too. Longer missions are cut into parts. 0: one file.
   std::size_t mission_items = 0;
 };
 /// Files hold millimetres.
@@ -37,15 +38,15 @@ inline constexpr double kLeastToleranceM = 0.001;
 struct PlacedRoute {
   Route route;
   Frame frame;
-  const AreaQuery* water = nullptr;  ///< which exported paths leave no more than the route does
+  const AreaQuery* water = nullptr;  ///< exported paths leave it no more than the route does
 };
 
 /// What was written for one format.
 struct ExportedRoute {
   ExportFormat format;
   std::vector<std::filesystem::path> files;
-  std::size_t waypoints, of;  ///< kept, of so many of the planned route
-  double largest_distance_m;  ///< bounds the distance between exported and planned path; measured
+  std::size_t waypoints, of;          ///< waypoints in the file, of so many in the planned route
+  double largest_distance_m;          ///< no point of the exported path lies farther from the plan
   std::vector<std::string> warnings;  ///< one sentence each, for people
 };
 
@@ -54,8 +55,9 @@ void check(const ExportOptions& options);
 /// @throws InvalidInput if a format is in longitude and latitude and the frame has no CRS.
 void check_export_crs(const std::vector<ExportFormat>& formats, const Frame& frame);
 
-/// Writes the route as `stem.FORMAT` into `folder`: formats in longitude and latitude from
-/// `geographic`, those in the coordinates of the input file from `planar`; the two are one route.
+/// Writes the route as `stem.FORMAT` into `folder`. Formats in longitude and latitude are written
+/// from `geographic`. Formats in the coordinates of the input file are written from `planar`. Both
+/// must be the same route.
 /// @throws InvalidInput as check_export_crs does, or if a route is not valid or a file cannot be
 ///   written.
 [[nodiscard]] std::vector<ExportedRoute> export_route(const std::filesystem::path& folder,
@@ -64,8 +66,8 @@ void check_export_crs(const std::vector<ExportFormat>& formats, const Frame& fra
                                                       const PlacedRoute& planar,
                                                       const ExportOptions& options);
 
-/// Removes what export_route wrote earlier under that name in these formats, so that nobody sails
-/// an older route or parts of one.
+/// Removes what export_route wrote earlier under that name in these formats. Otherwise somebody
+/// might sail an older route or a part of one.
 void remove_exports(const std::filesystem::path& folder, const std::string& stem,
                     const std::vector<ExportFormat>& formats);
 

@@ -16,12 +16,12 @@ std::string route_gpx(const GeographicRoute& route, const std::string& name) {
       "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
       "xsi:schemaLocation=\"http://www.topografix.com/GPX/1/1 "
       "http://www.topografix.com/GPX/1/1/gpx.xsd\">\n<rte>\n<name>{}</name>\n",
-      internal::xml_escaped(name));
+      xml_escaped(name));
   const std::vector<std::string> names = waypoint_names(route.route);
   for (std::size_t i = 0; i < names.size(); ++i) {
     fmt::format_to(std::back_inserter(text),
                    "<rtept lat=\"{:.8f}\" lon=\"{:.8f}\"><name>{}</name><type>{}</type></rtept>\n",
-                   route.lonlat[i].y(), route.lonlat[i].x(), internal::xml_escaped(names[i]),
+                   route.lonlat[i].y(), route.lonlat[i].x(), xml_escaped(names[i]),
                    swathplan::name(route.route.waypoints[i].kind));
   }
   return text + "</rte>\n</gpx>\n";

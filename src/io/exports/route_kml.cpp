@@ -43,7 +43,7 @@ std::string route_kml(const GeographicRoute& route, const std::string& name) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n"
       "<Document><name>{}</name>\n",
-      internal::xml_escaped(name));
+      xml_escaped(name));
   for (const Look& look : kLooks) {
     text += fmt::format(
         "<Style id=\"{}\"><LineStyle><color>{}</color><width>2</width></LineStyle></Style>\n",

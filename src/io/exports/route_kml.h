@@ -6,8 +6,8 @@
 
 namespace swathplan {
 
-/// The route as KML 2.2 for map viewers: a folder for each kind of leg, in it a line for each leg,
-/// laid on the surface, in a colour of its kind.
+/// The route as KML 2.2 for map viewers. Each kind of leg has a folder and a colour. Each leg is a
+/// line on the surface.
 [[nodiscard]] std::string route_kml(const GeographicRoute& route, const std::string& name);
 
 }  // namespace swathplan

@@ -10,15 +10,15 @@ namespace swathplan {
 /// A survey line of a route from its first to its last waypoint, without run-in and run-out.
 struct SurveyRun {
   std::size_t first, last;  ///< waypoint indices, first < last
-  std::string name;         ///< the line's number; a second stretch of line 3 is '3_2'; unique
+  std::string name;         ///< the line's number, made unique: a second stretch of line 3 is '3_2'
 };
 
 /// The maximal stretches of a route that are sailed as one line, cross line or infill pass, in the
 /// order of sailing. Lines without a number are numbered from one above the largest.
 [[nodiscard]] std::vector<SurveyRun> survey_runs(const Route& route);
 
-/// A name for each waypoint: 'line 3 start', 'line 3 end' (both joined by a comma where one line
-/// ends as the next begins), else its number from 1.
+/// A name for each waypoint: 'line 3 start' or 'line 3 end'. Where one line ends and the next one
+/// begins, a comma joins both names. Any other waypoint has its number, from 1.
 [[nodiscard]] std::vector<std::string> waypoint_names(const Route& route);
 
 }  // namespace swathplan

@@ -5,9 +5,11 @@
 #include <ogr_spatialref.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "io/files/quiet_gdal.h"
+#include "mesh/base/angle.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
@@ -18,7 +20,7 @@ OGRSpatialReference reference(const std::string& wkt) {
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   if (crs.importFromWkt(wkt.c_str()) != OGRERR_NONE) {
     throw InvalidInput("cannot read the coordinate reference system of the data" +
-                       QuietGdal::why() + "; give it with --crs EPSG:n");
+                       QuietGdal::why() + "; give it with <CRS> EPSG:n");
   }
   return crs;
 }
@@ -40,18 +42,20 @@ std::string horizontal_wkt(OGRSpatialReference& crs) {
 }  // namespace
 
 std::string parse_crs(const std::string& text) {
+  static constexpr std::array<const char*, 3> kLimits{"ALLOW_NETWORK_ACCESS=NO",
+                                                      "ALLOW_FILE_ACCESS=NO", nullptr};
   const QuietGdal quiet;
   OGRSpatialReference crs;
-  if (text.empty() || crs.SetFromUserInput(text.c_str()) != OGRERR_NONE) {
+  if (text.empty() || crs.SetFromUserInput(text.c_str(), kLimits.data()) != OGRERR_NONE) {
     throw UsageError(
         fmt::format("'{}' is no coordinate reference system that can be read{}; "
-                    "write --crs EPSG:n, for instance --crs EPSG:32633",
+                    "write <CRS> EPSG:n, for instance <CRS> EPSG:32633",
                     text, QuietGdal::why()));
   }
   std::string wkt = horizontal_wkt(crs);
   if (wkt.empty() || (!is_geographic(wkt) && !is_projected(wkt) && crs.IsLocal() == 0)) {
     throw UsageError(fmt::format(
-        "'{}' is no horizontal coordinate reference system; write --crs EPSG:n of a projected "
+        "'{}' is no horizontal coordinate reference system; write <CRS> EPSG:n of a projected "
         "or geographic one",
         text));
   }
@@ -133,12 +137,31 @@ std::vector<Vec2> CrsTransform::operator()(const std::vector<Vec2>& points) cons
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (ok[i] == 0 || !std::isfinite(x[i]) || !std::isfinite(y[i])) {
       throw InvalidInput(fmt::format(
-          "the point ({}, {}) has no place in the other coordinate reference system{}; check --crs",
+          "the point ({}, {}) has no place in the other coordinate reference system{}; check <CRS>",
           points[i].x(), points[i].y(), QuietGdal::why()));
     }
     result[i] = Vec2(x[i], y[i]);
   }
   return result;
+}
+
+GroundScale ground_scale(const std::string& wkt, const Vec2& at) {
+  constexpr double kSemiMajor = 6378137.0, kEccentricity2 = 6.69437999014e-3;
+  constexpr double kStep = 10.0;  // units: far above rounding, far below the curvature of the grid
+  const CrsTransform to_degrees(wkt, wgs84_crs());
+  const auto apart = [&](const Vec2& step) {
+    const Vec2 from = to_degrees(at - step);
+    const Vec2 to = to_degrees(at + step);
+    const double phi = Angle::degrees(0.5 * (from.y() + to.y())).rad();
+    const double w2 = 1.0 - kEccentricity2 * std::sin(phi) * std::sin(phi);
+    const double meridian = kSemiMajor * (1.0 - kEccentricity2) / (w2 * std::sqrt(w2));
+    const double parallel = kSemiMajor / std::sqrt(w2) * std::cos(phi);
+    const double east = std::remainder(to.x() - from.x(), 360.0);
+    return Vec2(parallel * Angle::degrees(east).rad(),
+                meridian * Angle::degrees(to.y() - from.y()).rad())
+        .norm();
+  };
+  return {apart(Vec2(kStep, 0.0)) / (2.0 * kStep), apart(Vec2(0.0, kStep)) / (2.0 * kStep)};
 }
 
 }  // namespace swathplan

@@ -22,7 +22,14 @@ namespace swathplan {
 [[nodiscard]] bool is_projected(const std::string& wkt);
 /// Metres in one horizontal unit (0.3048 for feet); 1 for none and for degrees.
 [[nodiscard]] double metres_per_unit(const std::string& wkt);
-/// For people: 'EPSG:32633 (WGS 84 / UTM zone 33N)'; 'none' for an empty text.
+/// Metres on the ground in one horizontal unit of a projected CRS at a place, along its axes.
+struct GroundScale {
+  double along_x = 1.0, along_y = 1.0;
+};
+/// The scale at a place on the WGS 84 ellipsoid, to about 1e-6. `wkt` must be projected.
+/// @throws InvalidInput where the place has no longitude and latitude.
+[[nodiscard]] GroundScale ground_scale(const std::string& wkt, const Vec2& at);
+/// The name for people: 'EPSG:32633 (WGS 84 / UTM zone 33N)'; 'none' for an empty text.
 [[nodiscard]] std::string crs_name(const std::string& wkt);
 /// The WGS 84 / UTM zone of a place.
 [[nodiscard]] std::string utm_crs(double lon_deg, double lat_deg);

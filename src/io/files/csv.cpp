@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "io/files/text_fields.h"
+#include "io/files/text.h"
 
-namespace swathplan::internal {
+namespace swathplan {
 namespace {
 
 /// The separator that the first line holds most of.
@@ -73,4 +73,4 @@ CsvTable parse_csv(std::string_view text) {
   return table;
 }
 
-}  // namespace swathplan::internal
+}  // namespace swathplan

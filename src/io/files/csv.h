@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace swathplan::internal {
+namespace swathplan {
 
 /// A CSV file with a header. Empty lines are left out.
 struct CsvTable {
@@ -16,7 +16,8 @@ struct CsvTable {
   std::vector<Row> rows;
 };
 
-/// RFC 4180 with quotes; the separator (comma, semicolon or tab) is that of the first line.
+/// Reads CSV with quotes (RFC 4180). The separator is the one of comma, semicolon and tab that the
+/// first line holds most of.
 [[nodiscard]] CsvTable parse_csv(std::string_view text);
 
-}  // namespace swathplan::internal
+}  // namespace swathplan

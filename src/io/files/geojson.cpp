@@ -5,7 +5,7 @@
 #include "io/files/lonlat.h"
 #include "io/files/text.h"
 
-namespace swathplan::internal {
+namespace swathplan {
 
 std::string geojson_head(const Frame& frame) {
   std::string head = R"({"type":"FeatureCollection",)";
@@ -36,4 +36,4 @@ std::string geojson_name(const std::string& stem, const Frame& frame) {
   return stem + (frame.crs_wkt.empty() ? ".local.geojson" : ".geojson");
 }
 
-}  // namespace swathplan::internal
+}  // namespace swathplan

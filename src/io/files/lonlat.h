@@ -5,7 +5,7 @@
 
 #include "io/files/crs.h"
 
-namespace swathplan::internal {
+namespace swathplan {
 
 /// Longitude and latitude (WGS84, degrees) of local positions and back, where the frame has a CRS.
 class LonLat {
@@ -34,4 +34,4 @@ class LonLat {
   std::optional<CrsTransform> to_wgs84_, from_wgs84_;
 };
 
-}  // namespace swathplan::internal
+}  // namespace swathplan

@@ -2,14 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
-#include "io/files/text_fields.h"
 #include "mesh/base/error.h"
 
-namespace swathplan::internal {
+namespace swathplan {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n\v\f";
+
+}  // namespace
 
 std::string read_text(const std::filesystem::path& path) {
   std::error_code error;
@@ -29,6 +36,55 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
+std::string_view trim(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return result;
+}
+
+std::vector<std::string_view> split(std::string_view line, char separator) {
+  std::vector<std::string_view> fields;
+  if (separator == ' ') {
+    for (std::size_t at = line.find_first_not_of(kBlanks); at != std::string_view::npos;) {
+      const std::size_t end = std::min(line.find_first_of(kBlanks, at), line.size());
+      fields.push_back(line.substr(at, end - at));
+      at = line.find_first_not_of(kBlanks, end);
+    }
+    return fields;
+  }
+  for (std::size_t at = 0; at <= line.size();) {
+    const std::size_t end = std::min(line.find(separator, at), line.size());
+    std::string_view field = trim(line.substr(at, end - at));
+    if (field.size() > 1 && field.front() == '"' && field.back() == '"') {
+      field = trim(field.substr(1, field.size() - 2));
+    }
+    fields.push_back(field);
+    at = end + 1;
+  }
+  return fields;
+}
+
+std::optional<double> to_number(std::string_view field) {
+  if (field.size() > 1 && field.front() == '+') field.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (field.empty() || error != std::errc() || end != field.data() + field.size()) return {};
+  return value;
+}
+
+std::optional<double> to_finite_number(std::string_view text) {
+  const std::optional<double> value = to_number(trim(text));
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
 std::string decimal(double value, int decimals) {
   std::string text = fmt::format("{:.{}f}", value, decimals);
   if (text.find('.') != std::string::npos) {
@@ -38,9 +94,11 @@ std::string decimal(double value, int decimals) {
   return text == "-0" ? "0" : text;
 }
 
-std::optional<double> number(std::string_view text) {
-  const std::optional<double> value = to_number(trim(text));
-  return value && std::isfinite(*value) ? value : std::nullopt;
+std::string quotable(std::string_view text, std::size_t most) {
+  std::string result(text.substr(0, most));
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text.size() > most ? result + "..." : result;
 }
 
-}  // namespace swathplan::internal
+}  // namespace swathplan

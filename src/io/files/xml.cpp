@@ -2,7 +2,7 @@
 
 #include <cpl_string.h>
 
-namespace swathplan::internal {
+namespace swathplan {
 
 std::string xml_escaped(std::string_view text) {
   const bool utf8 = CPLIsUTF8(text.data(), static_cast<int>(text.size())) != FALSE;
@@ -29,4 +29,4 @@ std::string xml_escaped(std::string_view text) {
   return out;
 }
 
-}  // namespace swathplan::internal
+}  // namespace swathplan

@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "io/files/atomic_file.h"
+#include "io/pictures/drawing_internal.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
@@ -17,30 +17,20 @@ namespace {
 constexpr int kWidth = 800;
 constexpr int kHeight = 440;
 constexpr int kLeft = 64, kRight = 150, kTop = 34, kBottom = 48;
-const cv::Scalar kInk(60, 50, 40);
+const cv::Scalar kChartInk(60, 50, 40);
 const cv::Scalar kGrid(225, 225, 225);
 const std::array<cv::Scalar, 8> kColours{cv::Scalar(180, 90, 20),  cv::Scalar(40, 120, 230),
                                          cv::Scalar(60, 150, 40),  cv::Scalar(60, 40, 200),
                                          cv::Scalar(170, 80, 140), cv::Scalar(60, 90, 110),
                                          cv::Scalar(180, 160, 20), cv::Scalar(120, 120, 120)};
 
-void write_png(const std::filesystem::path& path, const cv::Mat& image) {
-  write_atomically(path, [&](const std::filesystem::path& temporary) {
-    if (!cv::imwrite(temporary.string(), image, {cv::IMWRITE_PNG_COMPRESSION, 9})) {
-      throw InvalidInput(fmt::format("{} cannot be written", path.string()));
-    }
-  });
+constexpr double kSmallText = 0.42, kTitleText = 0.5;  // font scales
+
+void text(cv::Mat& image, const std::string& words, cv::Point at, double size = kSmallText) {
+  internal::put_text(image, words, at, size, kChartInk);
 }
 
-void text(cv::Mat& image, const std::string& words, cv::Point at, double size = 0.42,
-          const cv::Scalar& colour = kInk) {
-  cv::putText(image, words, at, cv::FONT_HERSHEY_SIMPLEX, size, colour, 1, cv::LINE_AA);
-}
-
-int text_width(const std::string& words, double size = 0.42) {
-  int base = 0;
-  return cv::getTextSize(words, cv::FONT_HERSHEY_SIMPLEX, size, 1, &base).width;
-}
+int width_of(const std::string& words) { return internal::text_width(words, kSmallText); }
 
 // A step of 1, 2 or 5 times a power of ten that gives about six of them.
 double tick_step(double span) {
@@ -87,15 +77,15 @@ void draw_grid(cv::Mat& image, const Axes& a) {
   for (double x = std::ceil(a.x0 / xs - 1e-9) * xs; x <= a.x1 + 1e-9 * xs; x += xs) {
     cv::line(image, a.at(x, a.y0), a.at(x, a.y1), kGrid);
     const std::string label = fmt::format("{:g}", std::abs(x) < 1e-9 * xs ? 0.0 : x);
-    text(image, label, a.at(x, a.y0) + cv::Point(-text_width(label) / 2, 18));
+    text(image, label, a.at(x, a.y0) + cv::Point(-width_of(label) / 2, 18));
   }
   const double ys = tick_step(a.y1 - a.y0);
   for (double y = a.y0; y <= a.y1 + 1e-9 * ys; y += ys) {
     cv::line(image, a.at(a.x0, y), a.at(a.x1, y), kGrid);
     const std::string label = fmt::format("{:g}", std::abs(y) < 1e-9 * ys ? 0.0 : y);
-    text(image, label, a.at(a.x0, y) + cv::Point(-text_width(label) - 6, 4));
+    text(image, label, a.at(a.x0, y) + cv::Point(-width_of(label) - 6, 4));
   }
-  cv::rectangle(image, a.at(a.x0, a.y0), a.at(a.x1, a.y1), kInk);
+  cv::rectangle(image, a.at(a.x0, a.y0), a.at(a.x1, a.y1), kChartInk);
 }
 
 void draw_curve(cv::Mat& image, const Axes& a, const ChartCurve& curve, const cv::Scalar& colour) {
@@ -140,7 +130,7 @@ cv::Mat drawn(const TrackPicture& picture) {
     cv::rectangle(image, {x_of(static_cast<double>(c) * step), kTop},
                   {x_of(static_cast<double>(c + 1) * step), kTop + kBox}, colour, cv::FILLED);
   }
-  cv::rectangle(image, {x_of(0), kTop}, {x_of(picture.width_m), kTop + kBox}, kInk);
+  cv::rectangle(image, {x_of(0), kTop}, {x_of(picture.width_m), kTop + kBox}, kChartInk);
   const auto count = static_cast<double>(std::max<std::size_t>(1, picture.tracks.size() - 1));
   for (std::size_t i = 0; i < picture.tracks.size(); ++i) {
     const SurveyTrack& t = picture.tracks[i];
@@ -157,11 +147,10 @@ cv::Mat drawn(const TrackPicture& picture) {
   for (const Vec2& o : picture.objects) {
     cv::circle(image, {x_of(o.x()), y_of(o.y())}, 4, {40, 40, 220}, cv::FILLED, cv::LINE_AA);
   }
-  text(image, picture.title, {20, 22}, 0.5);
+  text(image, picture.title, {20, 22}, kTitleText);
   text(image, fmt::format("{:g} m x {:g} m (stretched)", picture.width_m, picture.length_m),
        {20, kBox + kTop + 18});
-  text(image, picture.shade_label,
-       {kWidth - 20 - text_width(picture.shade_label), kBox + kTop + 18});
+  text(image, picture.shade_label, {kWidth - 20 - width_of(picture.shade_label), kBox + kTop + 18});
   return image;
 }
 
@@ -184,10 +173,10 @@ void write_chart_png(const std::filesystem::path& path, const Chart& chart) {
     text(image, curve.label, from + cv::Point(24, 4), 0.38);
     y += 18;
   }
-  text(image, chart.title, {kLeft, 22}, 0.5);
+  text(image, chart.title, {kLeft, 22}, kTitleText);
   text(image, chart.x_label, {kLeft, kHeight - 10});
-  text(image, chart.y_label, {kWidth - kRight - text_width(chart.y_label), 22});
-  write_png(path, image);
+  text(image, chart.y_label, {kWidth - kRight - width_of(chart.y_label), 22});
+  internal::write_png(path, image, internal::kSmallPng);
 }
 
 void write_tracks_png(const std::filesystem::path& path,
@@ -197,7 +186,7 @@ void write_tracks_png(const std::filesystem::path& path,
   for (const TrackPicture& picture : pictures) images.push_back(drawn(picture));
   cv::Mat all;
   cv::vconcat(images, all);
-  write_png(path, all);
+  internal::write_png(path, all, internal::kSmallPng);
 }
 
 void write_waterfall_png(const std::filesystem::path& path, const SideScanImage& image) {
@@ -216,12 +205,12 @@ void write_waterfall_png(const std::filesystem::path& path, const SideScanImage&
       grey.at<uchar>(row, image.columns + c) = tone(image.starboard[pixel]);
     }
   }
-  write_png(path, grey);
+  internal::write_png(path, grey, internal::kSmallPng);
 }
 
 SideScanImage read_waterfall_png(const std::filesystem::path& path, double pixel_m, double row_m,
                                  double nadir_gap_m) {
-  // OpenCV would say so on stderr in its own words.
+  // Without this check OpenCV would write a warning of its own to stderr.
   if (!std::filesystem::is_regular_file(path)) {
     throw InvalidInput(fmt::format("{} is no file that can be opened", path.string()));
   }

@@ -19,11 +19,12 @@ struct Chart {
   std::string title, x_label, y_label;
   std::vector<ChartCurve> curves;
 };
-/// Draws a line chart as a small PNG, axes fitted to the data. ASCII text only.
+/// Draws a line chart as a small PNG. The axes fit the data. Texts are ASCII; other characters
+/// become '?'.
 /// @throws InvalidInput if the file cannot be written.
 void write_chart_png(const std::filesystem::path& path, const Chart& chart);
 
-/// Tracks over their box: the order of sailing from dark to light, and what lies in the box.
+/// Tracks over their box. Colours from dark to light show the order of sailing.
 struct TrackPicture {
   std::string title;
   double width_m = 0.0, length_m = 0.0;
@@ -39,7 +40,8 @@ void write_tracks_png(const std::filesystem::path& path, const std::vector<Track
 /// @throws InvalidInput if the file cannot be written.
 void write_waterfall_png(const std::filesystem::path& path, const SideScanImage& image);
 
-/// Reads such a waterfall back (8-bit grey, an even number of columns), as far as 8 bits hold it.
+/// Reads such a waterfall (8-bit grey, an even number of columns). Intensities come back rounded
+/// to 8 bits.
 /// @throws InvalidInput if the file cannot be read or has an odd width.
 [[nodiscard]] SideScanImage read_waterfall_png(const std::filesystem::path& path, double pixel_m,
                                                double row_m, double nadir_gap_m);

@@ -1,33 +1,26 @@
+#include "io/pictures/coverage_png.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "io/files/atomic_file.h"
-#include "io/pictures/coverage_raster.h"
 #include "io/pictures/coverage_summary.h"
+#include "io/pictures/drawing_internal.h"
 #include "io/pictures/scale_bar.h"
-#include "mesh/base/error.h"
 
 namespace swathplan {
 namespace {
 
-using internal::CoverageSummary;
-using internal::Rgba;
-
-const cv::Scalar kMapInk(60, 48, 38);
 const cv::Scalar kFaint(120, 110, 100);
-const cv::Scalar kPaper(255, 255, 255);
-const cv::Vec3b kOutside(228, 231, 233);
 constexpr int kMargin = 32, kSmallestWidth = 900;
 
 cv::Scalar bgr(const Rgba& c) { return {double(c.b), double(c.g), double(c.r)}; }
 
 /// The map itself; small grids are enlarged so that a cell is seen.
 cv::Mat map_of(const CoverageSummary& summary) {
-  const std::vector<Rgba> palette = internal::coverage_palette();
+  const std::vector<Rgba> palette = coverage_palette();
   cv::Mat map(static_cast<int>(summary.rows), static_cast<int>(summary.columns), CV_8UC3);
   for (int r = 0; r < map.rows; ++r) {
     for (int c = 0; c < map.cols; ++c) {
@@ -35,7 +28,8 @@ cv::Mat map_of(const CoverageSummary& summary) {
           summary
               .pixels[static_cast<std::size_t>(r) * summary.columns + static_cast<std::size_t>(c)];
       const Rgba& colour = palette[index];
-      map.at<cv::Vec3b>(r, c) = index == 0 ? kOutside : cv::Vec3b(colour.b, colour.g, colour.r);
+      map.at<cv::Vec3b>(r, c) =
+          index == 0 ? internal::kOutsideArea : cv::Vec3b(colour.b, colour.g, colour.r);
     }
   }
   const int zoom = std::max(1, kSmallestWidth / std::max(map.cols, map.rows));
@@ -44,62 +38,54 @@ cv::Mat map_of(const CoverageSummary& summary) {
   return large;
 }
 
-void title_text(cv::Mat& picture, const std::string& words, cv::Point at, double size,
-          const cv::Scalar& colour) {
-  std::string ascii = words;
-  std::replace_if(
-      ascii.begin(), ascii.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  cv::putText(picture, ascii, at, cv::FONT_HERSHEY_SIMPLEX, size, colour, size > 0.7 ? 2 : 1,
-              cv::LINE_AA);
-}
-
 void swatch(cv::Mat& picture, cv::Rect box, const Rgba& colour) {
   cv::rectangle(picture, box, bgr(colour), cv::FILLED);
 }
 
 /// Soundings per cell at the left, share of empty cells at the right.
 void legend(cv::Mat& picture, int top, bool shares) {
-  const std::vector<Rgba> palette = internal::coverage_palette();
+  const std::vector<Rgba> palette = coverage_palette();
   const int step = 62, bar = 20;
-  title_text(picture, "Soundings per cell", {kMargin, top}, 0.5, kMapInk);
-  for (std::size_t i = 0; i < internal::kCoveredNames.size(); ++i) {
+  internal::put_text(picture, "Soundings per cell", {kMargin, top}, 0.5, internal::kInk);
+  for (std::size_t i = 0; i < kCoveredNames.size(); ++i) {
     const int x = kMargin + static_cast<int>(i) * step;
-    swatch(picture, {x, top + 12, step - 2, bar}, palette[internal::kCovered + i]);
-    title_text(picture, internal::kCoveredNames[i], {x, top + 50}, 0.45, kFaint);
+    swatch(picture, {x, top + 12, step - 2, bar}, palette[kCovered + i]);
+    internal::put_text(picture, kCoveredNames[i], {x, top + 50}, 0.45, kFaint);
   }
   const int left = kMargin + 6 * step + 40, width = 12;
-  title_text(picture, shares ? "Share of cells without a sounding" : "No sounding", {left, top}, 0.5,
-       kMapInk);
-  for (int i = 1; i <= internal::kEmptySteps; ++i) {
-    const int at = shares ? i : internal::kEmptySteps;
+  internal::put_text(picture, shares ? "Share of cells without a sounding" : "No sounding",
+                     {left, top}, 0.5, internal::kInk);
+  for (int i = 1; i <= kEmptySteps; ++i) {
+    const int at = shares ? i : kEmptySteps;
     swatch(picture, {left + (i - 1) * width, top + 12, width, bar},
-           palette[static_cast<std::size_t>(internal::kEmpty + at)]);
+           palette[static_cast<std::size_t>(kEmpty + at)]);
   }
   if (!shares) return;
-  title_text(picture, "0+", {left, top + 50}, 0.45, kFaint);
-  title_text(picture, "100 %", {left + internal::kEmptySteps * width - 44, top + 50}, 0.45, kFaint);
+  internal::put_text(picture, "0+", {left, top + 50}, 0.45, kFaint);
+  internal::put_text(picture, "100 %", {left + kEmptySteps * width - 44, top + 50}, 0.45, kFaint);
 }
 
 void scale_bar(cv::Mat& picture, int baseline, double metres_per_pixel) {
-  const double metres = internal::round_length(metres_per_pixel * 0.22 * picture.cols);
+  const double metres = round_length(metres_per_pixel * 0.22 * picture.cols);
   const int length = static_cast<int>(std::lround(metres / metres_per_pixel));
   const int right = picture.cols - kMargin;
-  cv::line(picture, {right - length, baseline}, {right, baseline}, kMapInk, 3);
+  cv::line(picture, {right - length, baseline}, {right, baseline}, internal::kInk, 3);
   for (const int x : {right - length, right}) {
-    cv::line(picture, {x, baseline - 6}, {x, baseline + 6}, kMapInk, 2);
+    cv::line(picture, {x, baseline - 6}, {x, baseline + 6}, internal::kInk, 2);
   }
-  title_text(picture, fmt::format("{} m", metres), {right - length, baseline - 14}, 0.5, kMapInk);
+  internal::put_text(picture, fmt::format("{} m", metres), {right - length, baseline - 14}, 0.5,
+                     internal::kInk);
 }
 
 cv::Mat picture_of(const CoverageGrid& grid, const std::string& title) {
-  const CoverageSummary summary = internal::summarise(grid, kPictureSide);
+  const CoverageSummary summary = summarise(grid, kPictureSide);
   const cv::Mat map = map_of(summary);
   const int head = title.empty() ? kMargin : kMargin + 44, foot = 150;
   cv::Mat picture(head + map.rows + foot, std::max(map.cols, kSmallestWidth) + 2 * kMargin, CV_8UC3,
-                  kPaper);
+                  internal::kPaper);
   const int left = (picture.cols - map.cols) / 2;
   map.copyTo(picture(cv::Rect(left, head, map.cols, map.rows)));
-  title_text(picture, title, {kMargin, kMargin + 18}, 0.8, kMapInk);
+  internal::put_text(picture, title, {kMargin, kMargin + 18}, 0.8, internal::kInk);
   legend(picture, head + map.rows + 40, summary.factor > 1);
   const double zoom = static_cast<double>(map.cols) / summary.columns;
   scale_bar(picture, head + map.rows + foot - 20, grid.resolution_m() * summary.factor / zoom);
@@ -110,14 +96,7 @@ cv::Mat picture_of(const CoverageGrid& grid, const std::string& title) {
 
 void write_coverage_png(const std::filesystem::path& path, const CoverageGrid& grid,
                         const std::string& title) {
-  const cv::Mat picture = picture_of(grid, title);
-  write_atomically(path, [&](const std::filesystem::path& part) {
-    if (!cv::imwrite(part.string(), picture)) {
-      throw InvalidInput(
-          fmt::format("cannot write '{}': check that the folder is writable and the disk has room",
-                      path.string()));
-    }
-  });
+  internal::write_png(path, picture_of(grid, title));
 }
 
 }  // namespace swathplan

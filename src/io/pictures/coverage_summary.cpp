@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace swathplan::internal {
+namespace swathplan {
 namespace {
 
 /// What is known of the cells of one pixel.
@@ -87,4 +87,4 @@ std::vector<Rgba> coverage_palette() {
   return out;
 }
 
-}  // namespace swathplan::internal
+}  // namespace swathplan

@@ -6,7 +6,7 @@
 
 #include "coverage/tracing/coverage_grid.h"
 
-namespace swathplan::internal {
+namespace swathplan {
 
 /// A colour of a palette.
 struct Rgba {
@@ -14,15 +14,15 @@ struct Rgba {
   bool operator==(const Rgba&) const = default;
 };
 
-/// A coverage grid as a picture of palette indices, row 0 the northernmost; a pixel stands for
-/// `factor` x `factor` cells (fewer at the east and north border of the grid).
+/// A coverage grid as a picture of palette indices. Row 0 is the northernmost. A pixel stands for
+/// `factor` x `factor` cells, or for fewer at the east and north border of the grid.
 struct CoverageSummary {
   std::uint32_t factor = 1, columns = 0, rows = 0;
   std::vector<std::uint8_t> pixels;
 };
 
-// Palette indices: 0 outside the area; kCovered + level where every cell has a sounding; kEmpty +
-// steps, steps from 1 to kEmptySteps, where a share of steps / kEmptySteps of the cells has none.
+// Palette indices. 0: outside the area. kCovered + level: every cell has a sounding. kEmpty + steps
+// with steps from 1 to kEmptySteps: a share of steps / kEmptySteps of the cells has no sounding.
 inline constexpr std::uint8_t kCovered = 1;
 inline constexpr std::uint8_t kEmpty = 9;
 inline constexpr int kEmptySteps = 20;
@@ -30,14 +30,14 @@ inline constexpr int kEmptySteps = 20;
 inline constexpr std::array<double, 5> kCoveredLimits{1.5, 2.5, 4.5, 8.5, 16.5};
 inline constexpr std::array<const char*, 6> kCoveredNames{"1", "2", "3-4", "5-8", "9-16", "17+"};
 
-/// No side of the result is longer than `largest_side` pixels.
+/// The grid, summarised so that no side is longer than `largest_side` pixels.
 [[nodiscard]] CoverageSummary summarise(const CoverageGrid& grid, std::uint32_t largest_side);
 
-/// The colours of the indices: blues for covered, orange to red for empty (told apart by people
-/// who do not see red and green apart too); index 0 is transparent.
+/// The colours of the indices: blue for covered cells, orange to red for empty ones. People with
+/// red-green blindness can tell them apart. Index 0 is transparent.
 [[nodiscard]] std::vector<Rgba> coverage_palette();
 
 /// The colour at `t` in [0, 1] on the line through evenly spaced `stops`.
 [[nodiscard]] Rgba blend(const std::vector<Rgba>& stops, double t);
 
-}  // namespace swathplan::internal
+}  // namespace swathplan

@@ -1,3 +1,5 @@
+#include "io/pictures/coverage_tif.h"
+
 #include <cpl_string.h>
 #include <fmt/format.h>
 #include <gdal_priv.h>
@@ -6,8 +8,8 @@
 #include <memory>
 
 #include "io/files/atomic_file.h"
+#include "io/files/gdal_at_home.h"
 #include "io/files/quiet_gdal.h"
-#include "io/pictures/coverage_raster.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
@@ -26,7 +28,7 @@ using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 }
 
 Dataset create(const std::filesystem::path& part, const CoverageGrid& grid) {
-  GDALAllRegister();
+  register_gdal();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   CPLStringList options;
   options.SetNameValue("COMPRESS", "DEFLATE");

@@ -4,21 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "io/files/atomic_file.h"
+#include "io/pictures/drawing_internal.h"
 #include "io/pictures/scale_bar.h"
-#include "mesh/base/error.h"
 
 namespace swathplan {
 namespace {
 
-const cv::Scalar kLineInk(60, 48, 38), kLinePaper(255, 255, 255);
-const cv::Vec3b kOutsideArea(228, 231, 233), kMissed(48, 48, 214);
+const cv::Vec3b kMissed(48, 48, 214);
 const cv::Vec3b kShoal(250, 244, 232), kDeep(190, 140, 92);
 constexpr int kLineMargin = 28, kHead = 62, kFoot = 70;
-/// Depths are drawn in so many steps: a smooth shade would make the file several times larger.
+/// The number of shades of depth. A smooth shade would make the file several times larger.
 constexpr double kSteps = 12.0;
 
 class Picture {
@@ -68,7 +65,7 @@ class Picture {
       for (int x = 0; x < map_.cols; ++x) {
         const auto c = static_cast<std::size_t>((x + 0.5) / scale_);
         const std::size_t i = r * raster_.columns() + c;
-        map_.at<cv::Vec3b>(y, x) = !raster_.in_area(i) ? kOutsideArea
+        map_.at<cv::Vec3b>(y, x) = !raster_.in_area(i) ? internal::kOutsideArea
                                    : is_swept[i] != 0  ? shade(raster_.depth(i))
                                                        : kMissed;
       }
@@ -84,7 +81,7 @@ class Picture {
       points.emplace_back(static_cast<int>(std::lround(16.0 * at.x())),
                           static_cast<int>(std::lround(16.0 * (map_.rows - at.y()))));
     }
-    cv::polylines(map_, points, false, kLineInk, 1, cv::LINE_AA, kShift);
+    cv::polylines(map_, points, false, internal::kInk, 1, cv::LINE_AA, kShift);
   }
 
   const WaterRaster& raster_;
@@ -92,29 +89,25 @@ class Picture {
   cv::Mat map_;
 };
 
-void put_text(cv::Mat& picture, std::string words, cv::Point at) {
-  std::replace_if(
-      words.begin(), words.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  cv::putText(picture, words, at, cv::FONT_HERSHEY_SIMPLEX, 0.5, kLineInk, 1, cv::LINE_AA);
-}
-
 cv::Mat framed(const Picture& drawn, const std::string& title) {
   const cv::Mat& map = drawn.map();
-  cv::Mat picture(kHead + map.rows + kFoot, std::max(map.cols, 640) + 2 * kLineMargin, CV_8UC3, kLinePaper);
+  cv::Mat picture(kHead + map.rows + kFoot, std::max(map.cols, 640) + 2 * kLineMargin, CV_8UC3,
+                  internal::kPaper);
   map.copyTo(picture(cv::Rect((picture.cols - map.cols) / 2, kHead, map.cols, map.rows)));
   const std::size_t end = title.find('\n');
-  put_text(picture, title.substr(0, end), {kLineMargin, 26});
-  if (end != std::string::npos) put_text(picture, title.substr(end + 1), {kLineMargin, 48});
+  internal::put_text(picture, title.substr(0, end), {kLineMargin, 26});
+  if (end != std::string::npos)
+    internal::put_text(picture, title.substr(end + 1), {kLineMargin, 48});
   const int base = kHead + map.rows + 46;
-  put_text(picture,
-       fmt::format("{:.0f} m (pale) to {:.0f} m deep (blue); missed: red", drawn.shoalest(),
-                   drawn.deepest()),
-       {kLineMargin, base});
-  const double metres = internal::round_length(0.2 * map.cols * drawn.metres_per_pixel());
+  internal::put_text(picture,
+                     fmt::format("{:.0f} m (pale) to {:.0f} m deep (blue); missed: red",
+                                 drawn.shoalest(), drawn.deepest()),
+                     {kLineMargin, base});
+  const double metres = round_length(0.2 * map.cols * drawn.metres_per_pixel());
   const int length = static_cast<int>(std::lround(metres / drawn.metres_per_pixel()));
   const int right = picture.cols - kLineMargin;
-  cv::line(picture, {right - length, base}, {right, base}, kLineInk, 2);
-  put_text(picture, fmt::format("{} m", metres), {right - length, base - 10});
+  cv::line(picture, {right - length, base}, {right, base}, internal::kInk, 2);
+  internal::put_text(picture, fmt::format("{} m", metres), {right - length, base - 10});
   return picture;
 }
 
@@ -123,13 +116,7 @@ cv::Mat framed(const Picture& drawn, const std::string& title) {
 void write_lines_png(const std::filesystem::path& path, const SweptGround& ground,
                      const std::vector<SweptLine>& lines, const std::string& title) {
   const cv::Mat picture = framed(Picture(ground, lines), title);
-  write_atomically(path, [&](const std::filesystem::path& part) {
-    if (!cv::imwrite(part.string(), picture, {cv::IMWRITE_PNG_COMPRESSION, 9})) {
-      throw InvalidInput(
-          fmt::format("cannot write '{}': check that the folder is writable and the disk has room",
-                      path.string()));
-    }
-  });
+  internal::write_png(path, picture, internal::kSmallPng);
 }
 
 }  // namespace swathplan

@@ -8,9 +8,9 @@
 
 namespace swathplan {
 
-/// Lines over the depths they are fitted to, for people: deeper water darker, lines in ink, what
-/// they miss in red, with the depth range and a scale bar. North is up. `title` stands above,
-/// in one line or two (ASCII; other characters become '?').
+/// Writes survey lines over the depths they are fitted to, as a picture for people. Deeper water is
+/// darker. Ground that no line sweeps is red. The depth range and a scale bar stand below. North is
+/// up. `title` stands above in one line or two (ASCII; other characters become '?').
 /// @throws InvalidInput if the file cannot be written.
 void write_lines_png(const std::filesystem::path& path, const SweptGround& ground,
                      const std::vector<SweptLine>& lines, const std::string& title);

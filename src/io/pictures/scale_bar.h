@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace swathplan::internal {
+namespace swathplan {
 
 /// The longest of 1, 2, 5 times a power of ten that is no more than `metres` (> 0).
 [[nodiscard]] inline double round_length(double metres) {
@@ -11,4 +11,4 @@ namespace swathplan::internal {
   return (lead >= 5.0 ? 5.0 : lead >= 2.0 ? 2.0 : 1.0) * power;
 }
 
-}  // namespace swathplan::internal
+}  // namespace swathplan

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "io/files/gdal_at_home.h"
 #include "io/files/quiet_gdal.h"
 #include "io/report/pictures_internal.h"
 #include "mesh/base/error.h"
@@ -17,7 +18,7 @@ struct CloseDataset {
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
 Dataset in_memory(const IndexedPicture& picture) {
-  GDALAllRegister();
+  register_gdal();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
   const int columns = static_cast<int>(picture.columns), rows = static_cast<int>(picture.rows);
   Dataset dataset(driver->Create("", columns, rows, 1, GDT_Byte, nullptr));

@@ -69,7 +69,7 @@ std::string overall(const std::vector<ReportPlan>& plans) {
   std::vector<std::string> names;
   std::vector<const Score*> scores;
   for (const ReportPlan& plan : plans) {
-    names.push_back(plan.planner);
+    names.push_back(plan.record->label);
     scores.push_back(plan.score);
   }
   return internal::overall_verdict(names, scores);
@@ -79,7 +79,7 @@ std::string overall(const std::vector<ReportPlan>& plans) {
 std::string plain_list(const std::vector<ReportPlan>& plans) {
   std::string out;
   for (const ReportPlan& plan : plans) {
-    out += "<li><strong>" + escaped(plan.planner) +
+    out += "<li><strong>" + escaped(plan.record->label) +
            "</strong>: " + escaped(internal::verdict(*plan.score)) + "</li>";
   }
   return out;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coverage/route/violations.h"
 #include "io/files/crs.h"
 #include "io/report/display_path_internal.h"
 #include "io/report/pictures_internal.h"
@@ -11,6 +10,7 @@
 #include "io/report/verdict_internal.h"
 #include "io/results/provenance_json.h"
 #include "io/results/score_figures.h"
+#include "planners/pareto.h"
 
 namespace swathplan::internal {
 namespace {
@@ -113,9 +113,19 @@ Json depth_json(const ReportSite& site, const Box2& box, const Pen& pen) {
           {"palette", palette_json(depth.picture.palette)}};
 }
 
-Json regions_json(const ReportSite& site, const Pen& pen, double tolerance_m) {
+/// The plan whose regions and gates the maps show: the last one that has gates, else regions.
+const PlanRecord& record_with_regions(const std::vector<ReportPlan>& plans) {
+  const PlanRecord* best = plans.front().record;
+  for (const ReportPlan& plan : plans) {
+    if (plan.record->regions.empty()) continue;
+    if (best->regions.empty() || !plan.record->gates.empty()) best = plan.record;
+  }
+  return *best;
+}
+
+Json regions_json(const PlanRecord& record, const Pen& pen, double tolerance_m) {
   Json out = Json::array();
-  for (const ReportRegion& r : site.regions) {
+  for (const PlanRegion& r : record.regions) {
     if (r.outline.empty()) continue;
     // The union of mesh faces leaves slits between some of them, a lattice step wide.
     const Area closed = offset(offset(r.outline, kSlit), -kSlit);
@@ -123,7 +133,7 @@ Json regions_json(const ReportSite& site, const Pen& pen, double tolerance_m) {
                    {"label", pen.line({inner_point(r.outline)})},
                    {"band", r.band},
                    {"mean_depth_m", r.mean_depth_m},
-                   {"opening_deg", r.opening_deg}});
+                   {"opening_deg", (r.fan.port + r.fan.starboard).deg()}});
   }
   return out;
 }
@@ -167,23 +177,22 @@ Json holidays_json(const Holidays& holidays, const Pen& pen, const Frame& frame)
 
 double rounded(double x) { return std::round(x * 100.0) / 100.0; }
 
-Json violations_json(const Route& route, const ReportSite& site, const Pen& pen) {
-  const std::vector<Violation> all = violations(route, site.vehicle, site.water);
+Json violations_json(const ReportPlan& plan, const Pen& pen, const Frame& frame) {
+  const std::vector<PlanViolation>& all = plan.record->violations;
   Json list = Json::array();
-  for (const Violation& v : all) {
+  for (const auto& [v, leg, reason] : all) {
     if (list.size() == kListedViolations) break;
-    const Waypoint& at = route.waypoints[v.first];
     std::vector<Vec2> line;
     Box2 box;
     for (std::size_t i = v.first; i <= v.last; ++i) {
-      line.push_back(route.waypoints[i].position);
+      line.push_back(plan.route->waypoints[i].position);
       box.extend(line.back());
     }
-    const Vec2 file = site.seafloor->frame.to_file(v.position);
+    const Vec2 file = frame.to_file(v.position);
     list.push_back({{"what", name(v.kind)},
-                    {"kind", name(at.kind)},
+                    {"kind", leg},
                     {"length_m", v.length_m},
-                    {"reason", reason(v, route, site.vehicle)},
+                    {"reason", reason},
                     {"line", pen.line(line)},
                     {"at", pen.line({v.position})},
                     {"box", pen.box(box)},
@@ -217,7 +226,7 @@ Json cut_off_json(const ReportSite& site, const Pen& pen, double tolerance_m) {
           {"list", std::move(list)}};
 }
 
-Json choices_json(const ReportPlan& plan) {
+Json choices_json(const PlanRecord& plan) {
   Json list = Json::array();
   for (const Outcome& o : plan.choices) {
     list.push_back({{"coverage_pct", expected_cover_pct(o)},
@@ -255,18 +264,18 @@ Json legend_json() {
 Json plan_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen, double tolerance_m,
                std::size_t budget) {
   const Frame& frame = site.seafloor->frame;
-  return {{"name", plan.planner},
+  return {{"name", plan.record->label},
           {"gaps_text", gaps_text(*plan.score)},
           {"coverage_text", percent_text(plan.score->all.hit_pct)},
           {"largest_text", area_text(plan.score->holidays.largest_m2)},
           {"warnings", warnings(*plan.score)},
-          {"notes", plan.notes},
+          {"notes", plan.record->notes},
           {"planning_s", plan.planning_seconds},
           {"figures", score_figures(*plan.score)},
           {"path", path_json(*plan.route, pen, tolerance_m)},
           {"holidays", holidays_json(plan.score->holidays, pen, frame)},
-          {"violations", violations_json(*plan.route, site, pen)},
-          {"choices", choices_json(plan)},
+          {"violations", violations_json(plan, pen, frame)},
+          {"choices", choices_json(*plan.record)},
           {"coverage", coverage_json(*plan.grid, pen, budget)}};
 }
 
@@ -289,12 +298,15 @@ Json report_data(const ReportSite& site, const std::vector<ReportPlan>& plans) {
   data["water"] = pen.rings(site.water, tolerance_m);
   data["no_go"] = pen.rings(site.no_go, tolerance_m);
   data["cut_off"] = cut_off_json(site, pen, tolerance_m);
-  data["regions"] = regions_json(site, pen, tolerance_m);
-  data["gates"] = pen.edges(site.gates);
-  data["blocked"] = pen.edges(site.blocked_edges);
+  const PlanRecord& shown = record_with_regions(plans);
+  std::vector<std::pair<Vec2, Vec2>> gates;
+  for (const PlanGate& gate : shown.gates) gates.push_back(gate.edge);
+  data["regions"] = regions_json(shown, pen, tolerance_m);
+  data["gates"] = pen.edges(gates);
+  data["blocked"] = pen.edges(shown.blocked_edges);
   data["depth"] = depth_json(site, box, pen);
   data["legend"] = legend_json();
-  data["provenance"] = to_json(site.provenance);
+  data["provenance"] = provenance_json(site.provenance);
   data["plans"] = Json::array();
   for (const ReportPlan& plan : plans) {
     data["plans"].push_back(

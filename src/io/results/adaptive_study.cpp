@@ -1,7 +1,6 @@
 #include "io/results/adaptive_study.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <charconv>
 #include <fstream>
@@ -10,6 +9,7 @@
 
 #include "io/files/atomic_file.h"
 #include "mesh/base/error.h"
+#include "mesh/base/parallel.h"
 
 namespace swathplan {
 namespace {
@@ -103,7 +103,7 @@ std::vector<std::vector<double>> run_study(const Study& study, const std::filesy
   std::ofstream journal = open_journal(journal_path, study, rows);
   std::mutex mutex;
   std::size_t done = rows.size() - open.size();
-  tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {
+  for_each_index(std::size_t{0}, open.size(), [&](std::size_t k) {
     std::vector<double> row = study.run(open[k]);
     const std::lock_guard lock(mutex);
     journal << line_of(open[k], row) << std::flush;

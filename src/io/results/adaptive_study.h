@@ -8,8 +8,8 @@
 
 namespace swathplan {
 
-/// A Monte Carlo study: a list of cells, each of which gives one row of figures, whatever the order
-/// of work.
+/// A Monte Carlo study: a list of cells. Each cell gives one row of figures. The row does not
+/// depend on the order of work.
 struct Study {
   std::string name;                  ///< of its files: NAME.csv, NAME.journal
   std::string settings;              ///< one line; a study is resumed only with the same
@@ -18,11 +18,11 @@ struct Study {
   std::function<std::vector<double>(std::size_t cell)> run;  ///< thread-safe, as many as columns
 };
 
-/// Runs the cells that the folder's journal does not hold yet, on all cores that the caller allows,
-/// and writes NAME.csv with all rows in the order of the cells: the same bytes for the same
-/// settings, however often the study was interrupted and on however many threads it ran. Each
-/// finished cell is appended to NAME.journal at once; a torn last line is run again. `progress` is
-/// called with the share of cells done, from one thread at a time.
+/// Runs the cells that the folder's journal does not hold yet, on all cores that the caller allows.
+/// Then it writes NAME.csv with all rows in the order of the cells. The same settings give the same
+/// bytes, however often the study was interrupted and on however many threads it ran. Each finished
+/// cell is appended to NAME.journal at once. If an interruption tore the last line, its cell is run
+/// again. `progress` is called with the share of cells done, from one thread at a time.
 /// @throws UsageError if the journal belongs to other settings; InvalidInput if a file cannot be
 /// written or the journal is no journal.
 [[nodiscard]] std::vector<std::vector<double>> run_study(

@@ -8,9 +8,10 @@
 
 namespace swathplan {
 
-/// The listed gaps as GeoJSON (RFC 7946), largest first: the box of each gap as a polygon with
-/// rank (from 1), area_m2, cells, cause, and its position as x_m, y_m of the input file. Without a
-/// CRS as in route_geojson.h. The collection says how many gaps there are in all.
+/// The listed holidays as GeoJSON (RFC 7946), the largest first. Each is the polygon of its box,
+/// with rank (from 1), area_m2, cells and cause. x_m, y_m is its position in the input file.
+/// Without a CRS, coordinates are as in route_geojson.h. The members `holidays` and
+/// `holidays_total_m2` of the collection count all holidays, also those that are not listed.
 [[nodiscard]] std::string holidays_geojson(const Holidays& holidays, const Frame& frame);
 
 /// Writes it into `folder` as holidays.geojson, or holidays.local.geojson without a CRS, and

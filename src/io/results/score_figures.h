@@ -4,9 +4,9 @@
 
 #include "coverage/score.h"
 
-namespace swathplan::internal {
+namespace swathplan {
 
 /// Every figure of a score under the names of score.json.
 [[nodiscard]] nlohmann::ordered_json score_figures(const Score& score);
 
-}  // namespace swathplan::internal
+}  // namespace swathplan

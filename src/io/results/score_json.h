@@ -8,13 +8,13 @@
 
 namespace swathplan {
 
-/// Every figure of the score, each name with its unit, and the provenance. `planner` names what
-/// made the route. A figure that does not exist (the smallest radius of a straight route) is null.
-/// The same score gives the same bytes.
+/// Every figure of the score and the provenance. The name of a figure ends in its unit. `planner`
+/// names what made the route. A figure that does not exist is null, such as the smallest turn
+/// radius of a straight route. The same score gives the same bytes.
 [[nodiscard]] std::string score_json(const std::string& planner, const Score& score,
                                      const Provenance& provenance);
 
-/// Writes it to a file.
+/// Writes score_json() to a file.
 /// @throws InvalidInput if the file cannot be written.
 void write_score_json(const std::filesystem::path& path, const std::string& planner,
                       const Score& score, const Provenance& provenance);

@@ -11,25 +11,29 @@ namespace swathplan {
 
 /// What a route file need not say.
 struct RouteDefaults {
-  /// The fan where the file has no angles at all. Empty: such a file is refused. An empty cell of
-  /// a file that does have angles means that the sonar is off there.
+  /// The fan of a file without any angles. Empty: such a file is refused. If a file has angles, an
+  /// empty cell means that the sonar is off there.
   std::optional<FanAngles> fan;
   double speed_mps = 2.0;  ///< > 0
 };
 
+/// A route as it was read, and what the reader assumed.
 struct ImportedRoute {
   Route route;
-  std::vector<std::string> notes;  ///< one sentence per thing that was assumed
+  /// A sentence that says which fan was taken; empty if the file names all fans.
+  std::optional<std::string> fan_note;
+  std::vector<std::string> notes;  ///< one sentence for each other assumption
 };
 
-/// Reads a route, ours or not; what it is shows in its content, not in its name:
-/// - route.csv of this program, or any CSV (comma, semicolon or tab) whose first line names columns
-///   x_m,y_m (also x,y or easting,northing: coordinates of the seafloor's file) or lon_deg,lat_deg
-///   (also lon,lat or longitude,latitude); all other columns of route.csv may be missing;
-/// - GeoJSON of this program, or any LineString, MultiLineString, Feature or FeatureCollection: in
-///   longitude and latitude, in a stated `crs`, or in the seafloor's own coordinates where a
-///   `local_frame` member says so. Lines that do not meet are joined by straight transits with the
-///   sonar off, and a note says so.
+/// Reads a route of this program or of another one. The content decides the format, not the name.
+/// - CSV with commas, semicolons or tabs, such as route.csv. The first line must name the columns
+///   x_m,y_m or lon_deg,lat_deg. x,y and easting,northing mean x_m,y_m: the coordinates of the
+///   seafloor's file. lon,lat and longitude,latitude mean lon_deg,lat_deg. All other columns of
+///   route.csv may be missing.
+/// - GeoJSON: a LineString, MultiLineString, Feature or FeatureCollection. Its coordinates are
+///   longitude and latitude, or those of its `crs` member. If it has a `local_frame` member, they
+///   are those of the seafloor's file. Lines that do not meet are joined by straight transits with
+///   the sonar off. A note then says so.
 /// @throws InvalidInput for anything else; the message names the file, the row or line, what is
 ///   wrong and what to do.
 [[nodiscard]] ImportedRoute read_route(const std::filesystem::path& path, const Frame& frame,

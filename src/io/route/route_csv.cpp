@@ -10,14 +10,10 @@
 #include "io/files/csv.h"
 #include "io/files/lonlat.h"
 #include "io/files/text.h"
-#include "io/files/text_fields.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
 namespace {
-
-using internal::CsvTable;
-using internal::decimal;
 
 constexpr const char* kInfeasible = "infeasible";
 constexpr int kMicrometre = 6;    // decimals of a metre
@@ -57,7 +53,7 @@ class Columns {
 
   /// @throws InvalidInput unless the field is a finite number.
   [[nodiscard]] double number(const CsvTable::Row& row, std::size_t column) const {
-    const auto value = internal::number(row.fields[column]);
+    const auto value = to_finite_number(row.fields[column]);
     if (!value) fail(row, column, "is not a finite number");
     return *value;
   }
@@ -154,7 +150,7 @@ double speed_of(const CsvTable::Row& row, const Columns& c, const RouteColumns& 
   return speed;
 }
 
-/// What holds for the whole file before any row is read.
+/// Checks the columns of the file before any row is read.
 void check_table(const CsvTable& table, const RouteColumns& columns, const std::string& file,
                  const Frame& frame, const RouteDefaults& defaults) {
   const bool xy = columns.x && columns.y;
@@ -167,7 +163,7 @@ void check_table(const CsvTable& table, const RouteColumns& columns, const std::
   if (!xy && frame.crs_wkt.empty()) {
     throw InvalidInput(
         fmt::format("'{}' is in longitude and latitude, but the seafloor has no "
-                    "CRS: give it with --crs EPSG:n",
+                    "CRS: give it with <CRS> EPSG:n",
                     file));
   }
   if (columns.port.has_value() != columns.stbd.has_value()) {
@@ -195,7 +191,7 @@ void check_row(const CsvTable::Row& row, const CsvTable& table, const std::strin
   }
 }
 
-/// Rows that were sorted by something else would make a route that nobody planned.
+/// Checks that `seq` grows. Rows in another order would make a route that nobody planned.
 void check_order(const CsvTable& table, const Columns& c, const RouteColumns& columns) {
   if (!columns.seq) return;
   std::optional<double> before;
@@ -223,15 +219,15 @@ std::vector<Vec2> read_positions(const CsvTable& table, const Columns& c,
       c.fail(row, *columns.lat, "is no latitude in degrees");
     }
   }
-  return xy ? points : internal::LonLat(frame).to_local(points);
+  return xy ? points : LonLat(frame).to_local(points);
 }
 
 void add_notes(ImportedRoute& imported, const RouteColumns& columns, const CsvTable& table,
                const RouteDefaults& defaults) {
   if (!columns.port) {
-    imported.notes.push_back(fmt::format(
+    imported.fan_note = fmt::format(
         "the route names no fan: {} degrees to port and {} to starboard were taken for all of it",
-        decimal(defaults.fan->port.deg(), 2), decimal(defaults.fan->starboard.deg(), 2)));
+        decimal(defaults.fan->port.deg(), 2), decimal(defaults.fan->starboard.deg(), 2));
   }
   if (!columns.kind) imported.notes.emplace_back("the route names no kinds: all of it is one line");
   if (!columns.speed) {
@@ -249,7 +245,7 @@ void add_notes(ImportedRoute& imported, const RouteColumns& columns, const CsvTa
 
 std::string route_csv(const Route& route, const Frame& frame) {
   const std::vector<Vec2> local = positions(route.waypoints);
-  const internal::LonLat conversion(frame);
+  const LonLat conversion(frame);
   const std::vector<Vec2> lonlat =
       conversion.known() ? conversion.from_local(local) : std::vector<Vec2>();
   std::string text =
@@ -269,7 +265,7 @@ void write_route_csv(const std::filesystem::path& path, const Route& route, cons
 
 ImportedRoute parse_route_csv(std::string_view text, const std::string& name, const Frame& frame,
                               const RouteDefaults& defaults) {
-  const CsvTable table = internal::parse_csv(text);
+  const CsvTable table = parse_csv(text);
   const Columns c(table, name);
   const RouteColumns columns = route_columns(c);
   check_table(table, columns, name, frame, defaults);
@@ -287,7 +283,7 @@ ImportedRoute parse_route_csv(std::string_view text, const std::string& name, co
          .fan = columns.port ? fan_of(row, c, columns) : defaults.fan,
          .speed_mps = speed_of(row, c, columns, defaults.speed_mps),
          .region = c.whole(row, columns.region),
-         // Other programs may say other things of a row.
+         // Another program may use the column for something else.
          .feasible = lower(c.text(row, columns.status)) != kInfeasible});
   }
   add_notes(imported, columns, table, defaults);

@@ -11,9 +11,10 @@ namespace swathplan {
 
 /// The route as text (RFC 4180: commas, CRLF), one row per waypoint:
 /// `seq,line,kind,log,x_m,y_m,lon_deg,lat_deg,port_deg,stbd_deg,speed_mps,region,status`.
-/// x_m, y_m are coordinates of the input file to a micrometre; lon, lat WGS84 to 0.1 mm, empty
-/// without a CRS; port, starboard half-angles from nadir, empty where the sonar is off;
-/// status `infeasible` where no way was found that the vehicle can steer in safe water, else empty.
+/// - x_m, y_m: coordinates of the input file, to a micrometre.
+/// - lon_deg, lat_deg: WGS84, to 0.1 mm; empty without a CRS.
+/// - port_deg, stbd_deg: half-angles of the fan from nadir; empty where the sonar is off.
+/// - status: `infeasible` if the vehicle cannot steer the leg in safe water, else empty.
 /// The same route gives the same bytes.
 [[nodiscard]] std::string route_csv(const Route& route, const Frame& frame);
 

@@ -16,8 +16,8 @@ using OrderedJson = nlohmann::ordered_json;
 /// `value(waypoint)` of each segment of the leg under `name`; one figure where all agree, else the
 /// first and the whole list.
 template <class Value>
-void add_per_point(OrderedJson& properties, const std::string& name, const Route& route, const Leg& leg,
-                   Value value) {
+void add_per_point(OrderedJson& properties, const std::string& name, const Route& route,
+                   const Leg& leg, Value value) {
   OrderedJson list = OrderedJson::array();
   bool same = true;
   for (std::size_t i = leg.first; i < leg.last; ++i) {
@@ -44,7 +44,8 @@ OrderedJson properties(const Route& route, const Leg& leg, std::size_t index) {
                 [](const Waypoint& at) { return angle(at.fan, &FanAngles::port); });
   add_per_point(p, "stbd_deg", route, leg,
                 [](const Waypoint& at) { return angle(at.fan, &FanAngles::starboard); });
-  add_per_point(p, "speed_mps", route, leg, [](const Waypoint& at) { return OrderedJson(at.speed_mps); });
+  add_per_point(p, "speed_mps", route, leg,
+                [](const Waypoint& at) { return OrderedJson(at.speed_mps); });
   p["region"] = w.region ? OrderedJson(*w.region) : OrderedJson(nullptr);
   p["status"] = w.feasible ? OrderedJson(nullptr) : OrderedJson("infeasible");
   return p;
@@ -55,8 +56,8 @@ OrderedJson properties(const Route& route, const Leg& leg, std::size_t index) {
 std::string route_geojson(const Route& route, const Frame& frame) {
   std::vector<Vec2> local;
   for (const Waypoint& w : route.waypoints) local.push_back(w.position);
-  const std::vector<std::string> at = internal::geojson_positions(local, frame);
-  std::string text = internal::geojson_head(frame);
+  const std::vector<std::string> at = geojson_positions(local, frame);
+  std::string text = geojson_head(frame);
   const std::vector<Leg> all = legs(route);
   for (std::size_t i = 0; i < all.size(); ++i) {
     text += fmt::format(R"({}{{"type":"Feature","properties":{},"geometry":{{"type":)"
@@ -67,13 +68,13 @@ std::string route_geojson(const Route& route, const Frame& frame) {
     }
     text += "]}}";
   }
-  return text + internal::geojson_tail();
+  return text + geojson_tail();
 }
 
 std::filesystem::path write_route_geojson(const std::filesystem::path& folder, const Route& route,
                                           const Frame& frame) {
   if (const auto why = fault(route)) throw InvalidInput("the route cannot be written: " + *why);
-  std::filesystem::path path = folder / internal::geojson_name("route", frame);
+  std::filesystem::path path = folder / geojson_name("route", frame);
   write_text_atomically(path, route_geojson(route, frame));
   return path;
 }

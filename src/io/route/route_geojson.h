@@ -11,9 +11,9 @@ namespace swathplan {
 
 /// The route as GeoJSON (RFC 7946), one LineString feature per leg with the properties of its
 /// waypoints: leg, line, kind, log, port_deg, stbd_deg, speed_mps, region, status
-/// (`infeasible` or null). Where the fan or the
-/// speed changes within a leg, `port_deg_at_points` and its likes list it per point.
-/// Without a CRS the coordinates are those of the input file and a `local_frame` member says so.
+/// (`infeasible` or null). Where the fan or the speed changes within a leg, `port_deg_at_points`,
+/// `stbd_deg_at_points` or `speed_mps_at_points` lists its values point by point.
+/// Without a CRS the coordinates are those of the input file. A `local_frame` member then says so.
 [[nodiscard]] std::string route_geojson(const Route& route, const Frame& frame);
 
 /// Writes it into `folder` as route.geojson, or as route.local.geojson without a CRS, and returns

@@ -115,7 +115,7 @@ class Placer {
     if (kind_ == Coordinates::seafloor_file) return;
     if (frame.crs_wkt.empty()) {
       throw InvalidInput(fmt::format(
-          "'{}' is in {}, but the seafloor has no CRS: give it with --crs EPSG:n, or give the "
+          "'{}' is in {}, but the seafloor has no CRS: give it with <CRS> EPSG:n, or give the "
           "route in the seafloor's own coordinates with a member \"local_frame\": {{}}",
           file, kind_ == Coordinates::lonlat ? "longitude and latitude" : stated_crs(document)));
     }
@@ -302,10 +302,9 @@ void check_fans(const std::vector<NamedLine>& lines, const LineReader& reader,
       reader.fail(line.label,
                   "has no port_deg and stbd_deg: add them or give the opening angle of the fan");
     }
-    imported.notes.push_back(
-        fmt::format("lines without a fan: {} degrees to port and {} to starboard were taken",
-                    internal::decimal(defaults.fan->port.deg(), 2),
-                    internal::decimal(defaults.fan->starboard.deg(), 2)));
+    imported.fan_note = fmt::format(
+        "lines without a fan: {} degrees to port and {} to starboard were taken",
+        decimal(defaults.fan->port.deg(), 2), decimal(defaults.fan->starboard.deg(), 2));
     return;
   }
 }

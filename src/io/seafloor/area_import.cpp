@@ -1,6 +1,7 @@
 #include "io/seafloor/area_import.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gdal_priv.h>
 #include <ogr_geometry.h>
 #include <ogr_spatialref.h>
@@ -8,21 +9,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <string>
 
 #include "io/files/crs.h"
+#include "io/files/gdal_at_home.h"
 #include "io/files/quiet_gdal.h"
 #include "mesh/base/error.h"
+#include "mesh/plane/few_corners.h"
 
 namespace swathplan {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Polygons of a layer in file coordinates, each as its rings, and the layer's CRS.
-struct LayerPolygons {
-  std::vector<std::vector<Ring>> polygons;
+/// What a layer holds, in file coordinates, and its CRS.
+struct LayerShapes {
+  std::vector<std::vector<Ring>> polygons;  ///< each as its rings
+  std::vector<std::vector<Vec2>> lines;     ///< a point is a line of one place
+  std::size_t points = 0;                   ///< of `lines`
   std::string crs_wkt;
 };
 
@@ -32,9 +38,10 @@ GDALDatasetUniquePtr open_vectors(const fs::path& path) {
     throw InvalidInput(
         fmt::format("'{}' does not exist; check the name and the folder", path.string()));
   }
-  // Some formats are folders; a folder of anything else is a slip of the finger.
+  // Some formats are folders. Any other folder was named by mistake.
   const bool folder = fs::is_directory(path, error);
-  GDALAllRegister();
+  register_gdal();
+  if (!folder) check_sources_stay_beside(path);
   GDALDatasetUniquePtr data(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
   if (!data && folder) {
     throw InvalidInput(fmt::format("'{}' is a folder; name the file in it", path.string()));
@@ -47,9 +54,14 @@ GDALDatasetUniquePtr open_vectors(const fs::path& path) {
   return data;
 }
 
+std::vector<Vec2> positions_of(const OGRSimpleCurve& line) {
+  std::vector<Vec2> positions;
+  for (int i = 0; i < line.getNumPoints(); ++i) positions.emplace_back(line.getX(i), line.getY(i));
+  return positions;
+}
+
 Ring ring_of(const OGRLinearRing& line) {
-  Ring ring;
-  for (int i = 0; i < line.getNumPoints(); ++i) ring.emplace_back(line.getX(i), line.getY(i));
+  Ring ring = positions_of(line);
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   return ring;
 }
@@ -73,7 +85,7 @@ void check_polygon(const OGRPolygon& polygon, const fs::path& path, long long fe
 }
 
 void collect(const OGRGeometry& geometry, const fs::path& path, long long feature,
-             LayerPolygons& found) {
+             LayerShapes& found) {
   const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
   if (type == wkbPolygon) {
     const OGRPolygon& polygon = *geometry.toPolygon();
@@ -82,6 +94,12 @@ void collect(const OGRGeometry& geometry, const fs::path& path, long long featur
     std::vector<Ring> rings;
     for (const OGRLinearRing* ring : polygon) rings.push_back(ring_of(*ring));
     found.polygons.push_back(std::move(rings));
+  } else if (type == wkbPoint && geometry.IsEmpty() == 0) {
+    const OGRPoint& point = *geometry.toPoint();
+    found.lines.push_back({{point.getX(), point.getY()}});
+    ++found.points;
+  } else if (type == wkbLineString && geometry.IsEmpty() == 0) {
+    found.lines.push_back(positions_of(*geometry.toLineString()));
   } else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != 0) {
     for (const OGRGeometry* part : *geometry.toGeometryCollection()) {
       collect(*part, path, feature, found);
@@ -89,8 +107,8 @@ void collect(const OGRGeometry& geometry, const fs::path& path, long long featur
   }
 }
 
-LayerPolygons read_layer(OGRLayer& layer, const fs::path& path) {
-  LayerPolygons found;
+LayerShapes read_layer(OGRLayer& layer, const fs::path& path) {
+  LayerShapes found;
   if (const OGRSpatialReference* crs = layer.GetSpatialRef(); crs != nullptr) {
     char* text = nullptr;
     if (crs->exportToWkt(&text) == OGRERR_NONE) found.crs_wkt = parse_crs(text);
@@ -106,30 +124,31 @@ LayerPolygons read_layer(OGRLayer& layer, const fs::path& path) {
   return found;
 }
 
-bool all_degrees(const LayerPolygons& layer) {
-  for (const auto& polygon : layer.polygons) {
-    for (const Ring& ring : polygon) {
-      for (const Vec2& p : ring) {
-        if (std::abs(p.x()) > 360.0 || std::abs(p.y()) > 90.0) return false;
-      }
-    }
-  }
-  return true;
+bool all_degrees(const LayerShapes& layer) {
+  const auto in_degrees = [](const std::vector<Vec2>& points) {
+    return std::all_of(points.begin(), points.end(), [](const Vec2& p) {
+      return std::abs(p.x()) <= 360.0 && std::abs(p.y()) <= 90.0;
+    });
+  };
+  return std::all_of(layer.polygons.begin(), layer.polygons.end(),
+                     [&](const auto& rings) {
+                       return std::all_of(rings.begin(), rings.end(), in_degrees);
+                     }) &&
+         std::all_of(layer.lines.begin(), layer.lines.end(), in_degrees);
 }
 
 /// GeoJSON without a CRS counts as WGS 84; one that holds eastings and northings is the seafloor's.
-void to_local(LayerPolygons& layer, const Frame& frame) {
+void to_local(LayerShapes& layer, const Frame& frame) {
   const bool same = layer.crs_wkt.empty() || frame.crs_wkt.empty() ||
                     (is_geographic(layer.crs_wkt) && !all_degrees(layer));
-  const CrsTransform* transform = nullptr;
   std::optional<CrsTransform> to_frame;
-  if (!same) transform = &to_frame.emplace(layer.crs_wkt, frame.crs_wkt);
-  for (auto& polygon : layer.polygons) {
-    for (Ring& ring : polygon) {
-      if (transform != nullptr) ring = (*transform)(ring);
-      for (Vec2& p : ring) p = frame.to_local(p);
-    }
-  }
+  if (!same) to_frame.emplace(layer.crs_wkt, frame.crs_wkt);
+  const auto turn = [&](std::vector<Vec2>& points) {
+    if (to_frame) points = (*to_frame)(points);
+    for (Vec2& p : points) p = frame.to_local(p);
+  };
+  for (auto& polygon : layer.polygons) std::for_each(polygon.begin(), polygon.end(), turn);
+  std::for_each(layer.lines.begin(), layer.lines.end(), turn);
 }
 
 std::string text_of(const Box2& box) {
@@ -151,31 +170,175 @@ void check_meets(const Area& area, const Box2& data, const Frame& frame, const f
       path.string(), text_of(in_file(box)), text_of(in_file(data))));
 }
 
-}  // namespace
+/// A degree is 111 km. Coordinates that span less than this as metres were meant as degrees.
+constexpr double kLeastExtentM = 0.5;
 
-Area import_area(const fs::path& path, const Frame& frame, std::optional<Box2> data_extent) {
-  const QuietGdal quiet;
-  const GDALDatasetUniquePtr data = open_vectors(path);
-  Area area;
-  std::size_t count = 0;
-  for (int i = 0; i < data->GetLayerCount(); ++i) {
-    LayerPolygons layer = read_layer(*data->GetLayer(i), path);
-    to_local(layer, frame);
-    count += layer.polygons.size();
-    for (const std::vector<Ring>& rings : layer.polygons) {
-      area = unite(area, from_rings(rings, false));
+void check_not_degrees(const Area& area, const Frame& frame, const fs::path& path) {
+  if (!frame.crs_wkt.empty() || extent(area).size().maxCoeff() >= kLeastExtentM) return;
+  throw InvalidInput(fmt::format(
+      "the polygons of '{}' span {:.2g} m: they look like degrees, but the seafloor has no "
+      "coordinate reference system to bring them to; give the seafloor's, or draw them in its "
+      "coordinates",
+      path.string(), extent(area).size().maxCoeff()));
+}
+
+std::vector<std::string> layers_with_shapes(GDALDataset& data) {
+  std::vector<std::string> names;
+  for (int i = 0; i < data.GetLayerCount(); ++i) {
+    OGRLayer& layer = *data.GetLayer(i);
+    layer.ResetReading();
+    const OGRFeatureUniquePtr first(layer.GetNextFeature());
+    layer.ResetReading();
+    if (first) names.emplace_back(layer.GetName());
+  }
+  return names;
+}
+
+/// The layer that is meant, or all of a file that has only one.
+std::vector<std::string> chosen_layers(GDALDataset& data, const std::vector<std::string>& wanted,
+                                       const fs::path& path) {
+  const std::vector<std::string> all = layers_with_shapes(data);
+  std::vector<std::string> chosen;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [&](const std::string& name) {
+    return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+  });
+  if (!chosen.empty() || all.size() <= 1) return chosen.empty() ? all : chosen;
+  throw InvalidInput(fmt::format("'{}' has several layers ({}); say which is meant with <layer>",
+                                 path.string(), fmt::join(all, ", ")));
+}
+
+/// What lies within `buffer_m` of a line or a point.
+Area around(const std::vector<Vec2>& line, double buffer_m) {
+  constexpr int kChords = 16;  // a quarter circle
+  OGRLineString path;
+  for (const Vec2& p : line) path.addPoint(p.x(), p.y());
+  OGRPoint point(line.front().x(), line.front().y());
+  const OGRGeometry& shape =
+      line.size() == 1 ? static_cast<const OGRGeometry&>(point) : static_cast<OGRGeometry&>(path);
+  const std::unique_ptr<OGRGeometry> buffer(shape.Buffer(buffer_m, kChords));
+  if (!buffer || wkbFlatten(buffer->getGeometryType()) != wkbPolygon) return {};
+  std::vector<Ring> rings;
+  for (const OGRLinearRing* ring : *buffer->toPolygon()) rings.push_back(ring_of(*ring));
+  return from_rings(rings, false);
+}
+
+/// Unites all polygons at once. Outlines run one way and holes the other, so that a place is
+/// covered if any polygon covers it.
+Area united(const std::vector<Area>& parts) {
+  if (parts.size() == 1) return unite({}, parts.front());
+  std::vector<Ring> rings;
+  for (const Area& part : parts) {
+    for (const Polygon& polygon : part) {
+      rings.push_back(polygon.outer);
+      rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
     }
   }
-  if (count == 0) {
+  return from_rings(rings, true);
+}
+
+struct Shapes {
+  std::vector<Area> parts;  ///< polygons, then buffers
+  std::size_t simplified = 0, corners_before = 0, corners_after = 0;
+  std::size_t polygons = 0, lines = 0, points = 0, off_the_data = 0;
+};
+
+/// A polygon as an area, with fewer corners if it has very many.
+Area area_of(const std::vector<Ring>& rings, const AreaImportOptions& options, Shapes& shapes) {
+  if (!(options.tolerance_m > 0.0) || corners_of(rings) <= kManyCorners) {
+    return from_rings(rings, false);
+  }
+  Bracket both = bracket(rings, std::max(options.tolerance_m, kLeastTolerance));
+  Area area = std::move(options.rounding == Rounding::within ? both.within : both.around);
+  ++shapes.simplified;
+  shapes.corners_before += corners_of(rings);
+  for (const Polygon& polygon : area) {
+    shapes.corners_after += polygon.outer.size() + corners_of(polygon.holes);
+  }
+  return area;
+}
+
+void add_layer(LayerShapes layer, const Frame& frame, const AreaImportOptions& options,
+               Shapes& shapes) {
+  to_local(layer, frame);
+  shapes.polygons += layer.polygons.size();
+  shapes.points += layer.points;
+  shapes.lines += layer.lines.size() - layer.points;
+  for (const std::vector<Ring>& rings : layer.polygons) {
+    shapes.parts.push_back(area_of(rings, options, shapes));
+  }
+  if (!(options.buffer_m > 0.0)) return;
+  for (const auto& line : layer.lines) shapes.parts.push_back(around(line, options.buffer_m));
+}
+
+bool meets(const Area& area, const Box2& data) {
+  const Box2 box = extent(area);
+  return !area.empty() && !(box.min.array() > data.max.array()).any() &&
+         !(box.max.array() < data.min.array()).any();
+}
+
+std::string some(std::size_t n, const char* what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+std::vector<std::string> notes_on(const Shapes& shapes, const AreaImportOptions& options,
+                                  const fs::path& path) {
+  std::vector<std::string> notes;
+  const std::string file = path.filename().string();
+  if (shapes.lines + shapes.points > 0) {
+    const std::string what =
+        shapes.points == 0  ? some(shapes.lines, "line")
+        : shapes.lines == 0 ? some(shapes.points, "point")
+                            : some(shapes.lines, "line") + " and " + some(shapes.points, "point");
+    notes.push_back(
+        options.buffer_m > 0.0
+            ? fmt::format("'{}': {} with {:g} m of room around", file, what, options.buffer_m)
+            : fmt::format("'{}': {} do not count, only polygons do; give them room "
+                          "with <buffer>",
+                          file, what));
+  }
+  if (shapes.off_the_data > 0) {
+    notes.push_back(fmt::format("'{}': {} of {} shapes lie off the seafloor's data", file,
+                                shapes.off_the_data, shapes.parts.size()));
+  }
+  if (shapes.simplified > 0) {
+    notes.push_back(fmt::format(
+        "'{}': {} corners were simplified to {}, within {:g} m; the area used {} the file's", file,
+        shapes.corners_before, shapes.corners_after, std::max(options.tolerance_m, kLeastTolerance),
+        options.rounding == Rounding::within ? "lies inside" : "contains"));
+  }
+  return notes;
+}
+
+}  // namespace
+
+ImportedArea import_area(const fs::path& path, const Frame& frame,
+                         const AreaImportOptions& options) {
+  const QuietGdal quiet;
+  const GDALDatasetUniquePtr data = open_vectors(path);
+  Shapes shapes;
+  for (const std::string& name : chosen_layers(*data, options.layers, path)) {
+    add_layer(read_layer(*data->GetLayerByName(name.c_str()), path), frame, options, shapes);
+  }
+  if (shapes.parts.empty()) {
     throw InvalidInput(fmt::format(
-        "'{}' holds no polygon; draw the area as a polygon (lines and points do not count)",
+        "'{}' holds no polygon; draw the area as a polygon (lines and points count with a <buffer> "
+        "only)",
         path.string()));
   }
-  if (area.empty()) {
+  ImportedArea result;
+  result.area = united(shapes.parts);
+  if (result.area.empty()) {
     throw InvalidInput(fmt::format("the polygons of '{}' have no area", path.string()));
   }
-  if (data_extent && !data_extent->empty()) check_meets(area, *data_extent, frame, path);
-  return area;
+  check_not_degrees(result.area, frame, path);
+  if (options.data_extent && !options.data_extent->empty()) {
+    check_meets(result.area, *options.data_extent, frame, path);
+    shapes.off_the_data = static_cast<std::size_t>(
+        std::count_if(shapes.parts.begin(), shapes.parts.end(),
+                      [&](const Area& part) { return !meets(part, *options.data_extent); }));
+  }
+  result.notes = notes_on(shapes, options, path);
+  return result;
 }
 
 }  // namespace swathplan

@@ -5,14 +5,14 @@
 
 #include <assimp/Importer.hpp>
 
-#include "io/files/text_fields.h"
+#include "io/files/text.h"
 #include "io/seafloor/assimp_internal.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
 namespace {
 
-/// glTF is y up by its standard; assimp hands COLLADA over y up whatever the file's own axis.
+/// glTF is y up by its standard. Assimp gives COLLADA y up, whatever axis the file states.
 bool comes_y_up(const std::string& extension) {
   return extension == ".gltf" || extension == ".glb" || extension == ".dae";
 }

@@ -9,8 +9,9 @@
 
 #include "io/seafloor/soundings_import.h"
 #include "mesh/base/error.h"
+#include "mesh/edge_table.h"
+#include "mesh/plane/segments.h"
 #include "mesh/plane/union_find.h"
-#include "mesh/repair/edge_table.h"
 
 namespace swathplan {
 namespace {
@@ -20,7 +21,8 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Ke
 using Delaunay =
     CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase>>;
 
-/// Points of a (turned) grid are this alike in their nearest distances, tenth to ninetieth percent.
+/// If the 10th and the 90th percentile of the nearest distances agree to this share, the points are
+/// those of a grid, perhaps a turned one.
 constexpr double kGridLike = 1.05;
 /// There the diagonal of a cell is allowed (the longest edge of its triangles) with room for
 /// rounding, but no gap of a cell (1.41 times the diagonal of a square).
@@ -45,7 +47,7 @@ double length(const std::vector<Vec3>& v, std::uint32_t a, std::uint32_t b) {
 double plan_area(const std::vector<Vec3>& v, const std::array<std::uint32_t, 3>& f) {
   const Vec2 ab = (v[f[1]] - v[f[0]]).head<2>();
   const Vec2 ac = (v[f[2]] - v[f[0]]).head<2>();
-  return 0.5 * std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+  return 0.5 * std::abs(cross(ab, ac));
 }
 
 double longest_edge(const std::vector<Vec3>& v, const std::array<std::uint32_t, 3>& f) {
@@ -67,7 +69,7 @@ std::vector<std::array<std::uint32_t, 3>> delaunay(const std::vector<Vec3>& vert
   return faces;
 }
 
-/// Distance from each point to its nearest: a Delaunay edge leads there.
+/// The distance from each point to the nearest one. A Delaunay edge leads there.
 std::vector<double> nearest_distances(const SurfaceData& data) {
   std::vector<double> nearest(data.vertices.size(), std::numeric_limits<double>::infinity());
   for (const auto& f : data.faces) {
@@ -112,7 +114,7 @@ std::size_t drop_unused(SurfaceData& data) {
   return dropped;
 }
 
-/// Leaves out parts that are tiny beside the largest one: strays far off the survey.
+/// Leaves out parts that are tiny beside the largest one. They are strays far off the survey.
 void drop_small_parts(SurfaceData& data) {
   UnionFind parts(data.faces.size());
   const std::vector<EdgeUse> uses = edge_uses(data.faces, data.vertices.size());
@@ -146,7 +148,7 @@ double join_soundings(SurfaceData& points, std::optional<double> longest) {
                 [&](const auto& f) { return longest_edge(points.vertices, f) > limit; });
   if (points.faces.empty()) {
     throw InvalidInput(fmt::format(
-        "no triangle between the soundings has all edges under {:.6g}; set a larger --longest-edge",
+        "no triangle between the soundings has all edges under {:.6g}; set a larger <longest edge>",
         limit));
   }
   drop_small_parts(points);

@@ -9,10 +9,16 @@
 
 #include "io/files/crs.h"
 #include "io/files/file_hash.h"
-#include "io/files/text_fields.h"
-#include "io/seafloor/grid_import.h"
+#include "io/files/known_kinds.h"
+#include "io/files/text.h"
+#include "io/files/unpacked.h"
+#include "io/grids/grid_import.h"
+#include "io/grids/las_import.h"
+#include "io/grids/point_layers.h"
+#include "io/seafloor/lattice_internal.h"
 #include "io/seafloor/mesh_import.h"
 #include "io/seafloor/soundings_import.h"
+#include "io/seafloor/true_scale.h"
 #include "mesh/base/error.h"
 #include "mesh/water_level.h"
 
@@ -21,9 +27,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Below this a local file keeps its own origin: 32-bit floats still resolve a millimetre there.
+/// A local file keeps its origin if its coordinates are below this. 32-bit floats still resolve a
+/// millimetre there.
 constexpr double kLargestLocalCoordinate = 1e4;
-/// Nodes closer than this (units) and deeper than the whole extent is wide: those are degrees.
+/// Coordinates are degrees if nodes lie closer than this (units) and the depth exceeds the width of
+/// the whole extent.
 constexpr double kFinestSpacing = 0.02;
 constexpr double kMetresPerDegree = 111'320.0;
 constexpr double kLossyStep = 1e-3;
@@ -31,15 +39,15 @@ constexpr double kLossyStep = 1e-3;
 void check_options(const ImportOptions& options) {
   const auto positive = [](const char* name, double value) {
     if (!(value > 0.0) || !std::isfinite(value)) {
-      throw UsageError(fmt::format("{} = {}; must be a finite number > 0", name, value));
+      throw UsageError(name, fmt::format("{}", value), "must be a finite number above 0");
     }
   };
-  positive("--z-unit", options.z_unit_m);
-  if (options.xy_unit_m) positive("--xy-unit", *options.xy_unit_m);
-  if (options.longest_edge_m) positive("--longest-edge", *options.longest_edge_m);
+  positive("z unit", options.z_unit_m);
+  if (options.xy_unit_m) positive("xy unit", *options.xy_unit_m);
+  if (options.longest_edge_m) positive("longest edge", *options.longest_edge_m);
   if (!std::isfinite(options.water_level_m)) {
-    throw UsageError(
-        fmt::format("--water-level = {}; must be a finite number", options.water_level_m));
+    throw UsageError("water level", fmt::format("{}", options.water_level_m),
+                     "must be a finite number");
   }
 }
 
@@ -73,6 +81,9 @@ bool starts_like_text(const fs::path& path, std::string_view word) {
 std::string kind_of(const fs::path& path) {
   const std::string extension = lower(path.extension().string());
   if (is_mesh_extension(extension)) return "mesh";
+  refuse_foreign(path);
+  if (is_las(path)) return "lidar";
+  if (is_point_file(path)) return "points";
   constexpr std::array kSoundings = {".xyz", ".csv", ".txt", ".pts", ".dat"};
   const bool rows = std::find(kSoundings.begin(), kSoundings.end(), extension) != kSoundings.end();
   const bool is_text = starts_like_text(path, "");
@@ -88,8 +99,15 @@ std::string kind_of(const fs::path& path) {
 
 SurfaceData read(const fs::path& path, const std::string& kind, const ImportOptions& options) {
   if (kind == "mesh") return read_mesh(path);
-  if (kind == "grid") return read_grid(path, options.nodata);
-  return read_soundings(path, options.z_positive == ImportOptions::ZPositive::down, options.nodata);
+  const bool down = options.z_positive == ImportOptions::ZPositive::down;
+  if (kind == "grid") return read_grid(path, options.nodata, options.layer);
+  if (kind == "points") {
+    SurfaceData data = read_point_file(path, down, options.nodata, options.layer);
+    join_lattice(data);
+    return data;
+  }
+  if (kind == "lidar") return read_las(path, down);
+  return read_soundings(path, down, options.nodata);
 }
 
 void note_extent(const SurfaceData& data, ImportedSeafloor& result) {
@@ -111,7 +129,7 @@ bool fits_degrees(const ImportedSeafloor& r) {
          r.raw_max.y() <= 90.0;
 }
 
-/// Nodes a few hundredths of a unit apart: too fine for metres.
+/// True if nodes lie a few hundredths of a unit apart: too fine for metres.
 bool is_finer_than_metres(const SurfaceData& data, const ImportedSeafloor& r) {
   const Vec2 size = r.raw_max - r.raw_min;
   const double spacing =
@@ -120,7 +138,7 @@ bool is_finer_than_metres(const SurfaceData& data, const ImportedSeafloor& r) {
   return spacing < kFinestSpacing;
 }
 
-/// The CRS to use; refuses degrees that pose as metres and the other way round.
+/// The CRS to use. Refuses degrees in a CRS of metres, and metres in a CRS of degrees.
 std::string choose_crs(const SurfaceData& data, const ImportOptions& options,
                        const ImportedSeafloor& r) {
   std::string crs = options.crs.empty() ? data.crs_wkt : parse_crs(options.crs);
@@ -131,29 +149,29 @@ std::string choose_crs(const SurfaceData& data, const ImportOptions& options,
   if (crs.empty() && fine && highest > (r.raw_max - r.raw_min).norm()) {
     throw InvalidInput(fmt::format(
         "the coordinates of '{}' look like degrees ({}), but no coordinate reference system says "
-        "so; add --crs EPSG:4326 (or --xy-unit 1 if they are metres)",
+        "so; add <CRS> EPSG:4326 (or <xy unit> 1 if they are metres)",
         r.file, extent));
   }
   if (is_projected(crs) && fine) {
     throw InvalidInput(fmt::format(
         "the coordinates of '{}' look like degrees ({}), but {} is in metres or feet; give "
-        "--crs EPSG:4326",
+        "<CRS> EPSG:4326",
         r.file, extent, crs_name(crs)));
   }
   if (is_geographic(crs) && !fits_degrees(r)) {
     throw InvalidInput(fmt::format(
         "the coordinates of '{}' ({}) are no degrees, but {} is in degrees; give the projected "
-        "reference system with --crs EPSG:n",
+        "reference system with <CRS> EPSG:n",
         r.file, extent, crs_name(crs)));
   }
   if (is_geographic(crs) && options.xy_unit_m) {
     throw UsageError(
-        fmt::format("--xy-unit does not go with {}, which is in degrees", crs_name(crs)));
+        fmt::format("<xy unit> does not go with {}, which is in degrees", crs_name(crs)));
   }
   return crs;
 }
 
-/// Degrees -> the UTM zone of the middle of the data.
+/// Coordinates of `crs` -> the UTM zone of the middle of the data.
 std::string project(SurfaceData& data, const std::string& crs, const ImportedSeafloor& r) {
   const Vec2 middle = CrsTransform(crs, wgs84_crs())(0.5 * (r.raw_min + r.raw_max));
   std::string utm = utm_crs(middle.x(), middle.y());
@@ -162,16 +180,51 @@ std::string project(SurfaceData& data, const std::string& crs, const ImportedSea
   for (const Vec3& v : data.vertices) places.emplace_back(v.head<2>());
   places = CrsTransform(crs, utm)(places);
   for (std::size_t i = 0; i < places.size(); ++i) data.vertices[i].head<2>() = places[i];
-  data.spacing *= kMetresPerDegree * std::sqrt(std::cos(Angle::degrees(middle.y()).rad()));
-  data.notes.push_back(
-      fmt::format("degrees of {} were projected to {}", crs_name(crs), crs_name(utm)));
+  if (is_geographic(crs)) {
+    data.spacing *= kMetresPerDegree * std::sqrt(std::cos(Angle::degrees(middle.y()).rad()));
+    data.notes.push_back(
+        fmt::format("degrees of {} were projected to {}", crs_name(crs), crs_name(utm)));
+  }
   return utm;
 }
 
-Frame choose_frame(const SurfaceData& data, const std::string& crs, const ImportOptions& options) {
+/// Corrects lengths of the map that are not lengths on the ground. If one factor is true
+/// everywhere, it is applied. Otherwise the data are moved to another projection. Returns the
+/// metres in one unit; `crs` may become another one.
+double true_scale(SurfaceData& data, std::string& crs, const ImportOptions& options,
+                  const ImportedSeafloor& r) {
+  if (options.xy_unit_m) return *options.xy_unit_m;
+  if (!is_projected(crs)) return metres_per_unit(crs);
+  MapScaleAtData scale;
+  try {
+    scale = map_scale(crs, {r.raw_min, r.raw_max});
+  } catch (const InvalidInput&) {
+    data.warnings.push_back(fmt::format(
+        "the coordinates have no longitude and latitude in {}; check <CRS>", crs_name(crs)));
+    return metres_per_unit(crs);
+  }
+  const double ratio = metres_per_unit(crs) / scale.metres_per_unit;
+  if (scale.kind == MapScale::even) {
+    data.notes.push_back(fmt::format(
+        "lengths in {} are {:.4f} times those on the ground here; all lengths of the survey are "
+        "those on the ground",
+        crs_name(crs), ratio));
+  }
+  if (scale.kind != MapScale::uneven) return scale.metres_per_unit;
+  const std::string utm = project(data, crs, r);
+  data.notes.push_back(fmt::format(
+      "lengths in {} differ from those on the ground by place or direction; the data were "
+      "brought to {}, and so are the coordinates of all results",
+      crs_name(crs), crs_name(utm)));
+  data.spacing *= scale.metres_per_unit;
+  crs = utm;
+  return metres_per_unit(crs);
+}
+
+Frame choose_frame(const SurfaceData& data, const std::string& crs, double metres_per_unit) {
   Frame frame;
   frame.crs_wkt = crs;
-  frame.metres_per_unit = options.xy_unit_m.value_or(metres_per_unit(crs));
+  frame.metres_per_unit = metres_per_unit;
   Vec2 low = data.vertices.front().head<2>();
   double largest = 0.0;
   for (const Vec3& v : data.vertices) {
@@ -184,7 +237,8 @@ Frame choose_frame(const SurfaceData& data, const std::string& crs, const Import
 
 Seafloor place(SurfaceData& data, const Frame& frame, const ImportOptions& options) {
   const bool down = options.z_positive == ImportOptions::ZPositive::down || data.z_is_depth;
-  const double unit = down ? -options.z_unit_m : options.z_unit_m;
+  const double unit_m = options.z_unit_m != 1.0 ? options.z_unit_m : data.z_unit_m.value_or(1.0);
+  const double unit = down ? -unit_m : unit_m;
   Seafloor seafloor;
   seafloor.frame = frame;
   seafloor.vertices = std::move(data.vertices);
@@ -196,24 +250,51 @@ Seafloor place(SurfaceData& data, const Frame& frame, const ImportOptions& optio
   return seafloor;
 }
 
+/// More land than water, and land that rises higher than the water is deep: those may be depths,
+/// positive down, with land negative.
+void warn_of_upside_down(double lowest, double highest, ImportedSeafloor& result) {
+  constexpr double kMuchLand = 0.4;
+  if (result.land_share < kMuchLand || highest < -lowest) return;
+  result.warnings.push_back(fmt::format(
+      "{:.3g} % of the area lies above the water, up to {:.4g} m, and only the rest, down to {:.4g} "
+      "m, is taken as seafloor: this looks like depths, positive down, with land negative; if so, "
+      "add <z positive> down",
+      100.0 * result.land_share, highest, -lowest));
+}
+
+/// A mesh that runs far along x and z and little along y.
+bool may_be_y_up(const ImportedSeafloor& r) {
+  const Vec2 size = r.raw_max - r.raw_min;
+  return r.kind == "mesh" && 3.0 * size.y() < std::min(size.x(), r.raw_z_max - r.raw_z_min);
+}
+
 void clip_land(Seafloor& seafloor, ImportedSeafloor& result) {
   const double whole = plan_area_m2(seafloor);
+  double lowest = 0.0;
+  double highest = 0.0;
+  for (const Vec3& v : seafloor.vertices) {
+    lowest = std::min(lowest, v.z());
+    highest = std::max(highest, v.z());
+  }
   seafloor = below_level(seafloor, 0.0);
   const bool any_water = std::any_of(seafloor.vertices.begin(), seafloor.vertices.end(),
                                      [](const Vec3& v) { return v.z() < 0.0; });
   if (!any_water) {
     throw InvalidInput(fmt::format(
         "everything in '{}' lies above the water level (z from {:.6g} to {:.6g}); if these are "
-        "depths, positive down, add --z-positive down; else give the level with --water-level",
-        result.file, result.raw_z_min, result.raw_z_max));
+        "depths, positive down, add <z positive> down; else give the level with <water level>{}",
+        result.file, result.raw_z_min, result.raw_z_max,
+        may_be_y_up(result) ? ". Or the mesh is y up: turn it so that z points up" : ""));
   }
-  result.land_share = whole > 0.0 ? std::clamp(1.0 - plan_area_m2(seafloor) / whole, 0.0, 1.0) : 0.0;
+  result.land_share =
+      whole > 0.0 ? std::clamp(1.0 - plan_area_m2(seafloor) / whole, 0.0, 1.0) : 0.0;
   if (result.land_share > 1e-9) {
     result.notes.push_back(
         fmt::format("{:.3g} % of the area lies above the water level: land, "
                     "clipped away",
                     100.0 * result.land_share));
   }
+  warn_of_upside_down(lowest, highest, result);
 }
 
 void mend(Seafloor& seafloor, bool is_clean, ImportedSeafloor& result) {
@@ -250,16 +331,16 @@ void join(SurfaceData& data, const Frame& frame, const ImportOptions& options,
   }
   result.notes.push_back(fmt::format(
       "soundings joined to triangles with edges up to {:.4g} m{}", result.longest_edge_m,
-      limit ? "" : " (from their spacing; set another with --longest-edge)"));
+      limit ? "" : " (from their spacing; set another with <longest edge>)"));
 }
 
-void add_unit_warnings(const SurfaceData& data, const Frame& frame, const ImportOptions& options,
-                       ImportedSeafloor& result) {
-  if (frame.metres_per_unit != 1.0 && options.z_unit_m == 1.0) {
+void add_unit_warnings(const SurfaceData& data, const Frame& frame, double unit_m,
+                       const ImportOptions& options, ImportedSeafloor& result) {
+  if (unit_m != 1.0 && options.z_unit_m == 1.0 && !data.z_unit_m) {
     result.warnings.push_back(fmt::format(
-        "horizontal units are {:.7g} m, but z is taken as metres; set --z-unit if depths are in "
+        "horizontal units are {:.7g} m, but z is taken as metres; set <z unit> if depths are in "
         "feet",
-        frame.metres_per_unit));
+        unit_m));
   }
   if (data.float_step * frame.metres_per_unit > kLossyStep) {
     result.notes.push_back(fmt::format(
@@ -269,25 +350,49 @@ void add_unit_warnings(const SurfaceData& data, const Frame& frame, const Import
   }
 }
 
+/// Reads the file inside a packed one; all words name the packed one.
+ImportedSeafloor import_packed(const fs::path& path, const ImportOptions& options) {
+  const Unpacked unpacked(path, options.layer);
+  if (is_packed(unpacked.file())) {
+    throw InvalidInput(fmt::format("'{}' is packed more than once; unpack it first", path.string()));
+  }
+  try {
+    ImportedSeafloor result = import_seafloor(unpacked.file(), options);
+    result.notes.insert(result.notes.begin(),
+                        "unpacked: " + unpacked.in_words(unpacked.file().string()));
+    for (auto* texts : {&result.notes, &result.warnings}) {
+      for (std::string& text : *texts) text = unpacked.in_words(text);
+    }
+    result.file = path.string();
+    result.input_hash = file_hash(path);
+    return result;
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(unpacked.in_words(error.what()));
+  }
+}
+
 }  // namespace
 
 ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& options) {
   check_options(options);
   check_file(path);
+  if (is_packed(path)) return import_packed(path, options);
   ImportedSeafloor result;
   result.file = path.string();
   result.input_hash = file_hash(path);
   result.kind = kind_of(path);
   SurfaceData data = read(path, result.kind, options);
+  if (result.kind == "points" || result.kind == "lidar") result.kind = "soundings";
   result.format = data.format;
   note_extent(data, result);
   std::string crs = choose_crs(data, options, result);
   if (is_geographic(crs)) crs = project(data, crs, result);
-  const Frame frame = choose_frame(data, crs, options);
+  const double unit_m = true_scale(data, crs, options, result);
+  const Frame frame = choose_frame(data, crs, unit_m);
   result.crs_name = crs_name(crs);
   if (data.faces.empty()) join(data, frame, options, result);
   result.spacing_m = data.spacing * frame.metres_per_unit;
-  add_unit_warnings(data, frame, options, result);
+  add_unit_warnings(data, frame, options.xy_unit_m.value_or(metres_per_unit(crs)), options, result);
   result.notes.insert(result.notes.begin(), data.notes.begin(), data.notes.end());
   result.warnings.insert(result.warnings.begin(), data.warnings.begin(), data.warnings.end());
   const bool is_clean = data.is_clean;

@@ -15,11 +15,15 @@ struct ImportOptions {
   std::string crs = {};        ///< 'EPSG:n' or WKT, overrides the file's own; empty: the file's own
   double water_level_m = 0.0;  ///< height of still water in the file's vertical datum, z up
   enum class ZPositive { up, down } z_positive = ZPositive::up;
-  double z_unit_m = 1.0;                 ///< metres in one vertical unit, > 0
+  /// Metres in one vertical unit, > 0. 1: the file's own unit where it names one, else metres.
+  double z_unit_m = 1.0;
   std::optional<double> xy_unit_m = {};  ///< metres in one horizontal unit, > 0; empty: the CRS's
   std::optional<double> longest_edge_m =
       {};                             ///< soundings: triangles with a longer edge are left out
   std::optional<double> nodata = {};  ///< a further z value (file units) that means 'no data'
+  /// Names, separated by commas: which variable, band, layer or packed file to read where there are
+  /// several. A name that the file does not hold is no error.
+  std::string layer = {};
 };
 
 /// A seafloor in its local frame and what was found on the way.
@@ -41,7 +45,8 @@ struct ImportedSeafloor {
 };
 
 /// Reads a triangle mesh (OBJ, PLY, OFF, STL, glTF, COLLADA, ...), a grid (Esri ASCII, GeoTIFF,
-/// BAG, ...) or soundings (XYZ, CSV) into the local frame, clipped at the water level.
+/// BAG, netCDF, S-102, ...) or soundings (XYZ, CSV, LAS, points of a vector file) into the local
+/// frame, clipped at the water level. Files packed as .zip, .tar or .gz are read as they are.
 /// Guarantees: (1) the invariants of `Seafloor`; (2) where the file holds doubles and nothing is
 /// reprojected or scaled, `frame.to_file` of a kept vertex gives the file's coordinates exactly;
 /// (3) the local origin is whole file units, and 0 where all coordinates are under 10,000.

@@ -17,12 +17,76 @@ namespace {
 constexpr double kBeams = 256.0;
 constexpr Angle kHalfAngle = Angle::degrees(50.0);
 constexpr std::array kCells = {0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0};
-/// Depths that are deeper than the data is wide hardly are metres.
+/// Depths beyond this that also exceed the width of the data are hardly metres.
 constexpr double kDeepest = 1000.0;
 constexpr double kFlat = 0.05;       ///< metres of relief
 constexpr double kMostlyLand = 0.9;  ///< share
 constexpr std::size_t kManyFaces = 5'000'000;
 constexpr double kHugeExtent = 50'000.0;  ///< metres
+
+/// Which faces a sonar above sees: at their middle nothing lies over them. A wall is seen if its
+/// corners are those of faces that are.
+std::vector<bool> seen_faces(const Seafloor& s) {
+  constexpr double kSameDepth = 1e-6;  ///< share of the depth
+  constexpr double kLeastArea = 1e-9;
+  const DepthQuery query(s);
+  std::vector<bool> seen(s.faces.size(), false), wall(s.faces.size(), false);
+  std::vector<bool> corner(s.vertices.size(), false);
+  for (std::size_t f = 0; f < s.faces.size(); ++f) {
+    const Vec3& a = s.vertices[s.faces[f][0]];
+    const Vec3& b = s.vertices[s.faces[f][1]];
+    const Vec3& c = s.vertices[s.faces[f][2]];
+    const Vec3 normal = (b - a).cross(c - a);
+    wall[f] = std::abs(normal.z()) <= kLeastArea * normal.norm();
+    if (wall[f]) continue;
+    const Vec3 middle = (a + b + c) / 3.0;
+    const std::optional<double> shoalest = query.depth(middle.head<2>());
+    seen[f] = !shoalest || -middle.z() <= *shoalest + kSameDepth * (1.0 - middle.z());
+    if (seen[f]) {
+      for (const std::uint32_t v : s.faces[f]) corner[v] = true;
+    }
+  }
+  for (std::size_t f = 0; f < s.faces.size(); ++f) {
+    if (!wall[f]) continue;
+    seen[f] = std::all_of(s.faces[f].begin(), s.faces[f].end(),
+                          [&](std::uint32_t v) { return corner[v]; });
+  }
+  return seen;
+}
+
+/// The seafloor without faces that lie below others: a second layer, the underside of a leaky body.
+/// Empty if there are none.
+std::optional<Seafloor> seen_from_above(const ImportedSeafloor& r) {
+  if (r.kind != "mesh") return {};
+  const std::vector<bool> seen = seen_faces(r.seafloor);
+  if (std::find(seen.begin(), seen.end(), false) == seen.end()) return {};
+  Seafloor top;
+  top.frame = r.seafloor.frame;
+  top.vertices = r.seafloor.vertices;
+  for (std::size_t f = 0; f < seen.size(); ++f) {
+    if (seen[f]) top.faces.push_back(r.seafloor.faces[f]);
+  }
+  if (!(plan_area_m2(top) > 0.0)) return {};
+  return top;
+}
+
+std::string hidden_note(const Seafloor& top, const ImportedSeafloor& r) {
+  const std::size_t hidden = r.seafloor.faces.size() - top.faces.size();
+  if (hidden == 0) return {};
+  return fmt::format("{} of {} faces lie below others: not counted in area and depths", hidden,
+                     r.seafloor.faces.size());
+}
+
+/// True if the faces look along y rather than up, and z runs farther than y.
+bool looks_y_up(const ImportedSeafloor& r) {
+  if (r.kind != "mesh" || r.raw_z_max - r.raw_z_min <= r.raw_max.y() - r.raw_min.y()) return false;
+  Vec3 sum = Vec3::Zero();
+  for (const Seafloor::Face& f : r.seafloor.faces) {
+    const Vec3& a = r.seafloor.vertices[f[0]];
+    sum += (r.seafloor.vertices[f[1]] - a).cross(r.seafloor.vertices[f[2]] - a).cwiseAbs();
+  }
+  return sum.y() > 2.0 * std::max(sum.x(), sum.z());
+}
 
 }  // namespace
 
@@ -53,14 +117,21 @@ std::vector<std::string> warnings_of(const ImportedSeafloor& r) {
   const auto warn_if = [&](bool condition, std::string text) {
     if (condition) warnings.push_back(std::move(text));
   };
-  warn_if(r.land_share > kMostlyLand,
+  const bool is_said = std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) {
+    return w.find("looks like depths") != std::string::npos;
+  });
+  warn_if(looks_y_up(r),
+          fmt::format("the mesh looks y up: y spans {:.4g} and z {:.4g}; turn it so that z points "
+                      "up, or export it with z up",
+                      r.raw_max.y() - r.raw_min.y(), r.raw_z_max - r.raw_z_min));
+  warn_if(r.land_share > kMostlyLand && !is_said,
           fmt::format("{:.3g} % of the data lies above the water: this looks like depths, positive "
-                      "down (--z-positive down), or another level (--water-level)",
+                      "down (<z positive> down), or another level (<water level>)",
                       100.0 * r.land_share));
   warn_if(
       depths.max > kDeepest && depths.max > width,
       fmt::format("{:.6g} m deep, but only {:.4g} m wide: depths may be in feet, centimetres or "
-                  "millimetres (--z-unit), or x and y in kilometres or degrees",
+                  "millimetres (<z unit>), or x and y in kilometres or degrees",
                   depths.max, width));
   warn_if(depths.max - depths.min < kFlat,
           fmt::format("hardly any relief: depths from {:.3f} to {:.3f} m", depths.min, depths.max));
@@ -71,20 +142,24 @@ std::vector<std::string> warnings_of(const ImportedSeafloor& r) {
   warn_if(r.health.overhanging_faces > 0,
           "the mesh is a closed body: its underside and sides were left out");
   warn_if(r.health.faces > kManyFaces || width > kHugeExtent,
-          fmt::format("very large: {} faces, {:.4g} km across; choose a part with --area",
+          fmt::format("very large: {} faces, {:.4g} km across; choose a part with <area>",
                       r.health.faces, width / 1000.0));
   warn_if(r.crs_name == "none",
-          "no coordinate reference system: results are in local metres; give one with --crs");
+          "no coordinate reference system: results are in local metres; give one with <CRS>");
   return warnings;
 }
 
 nlohmann::json inspection_json(const ImportedSeafloor& r) {
-  const DepthRange depths = depth_range(r.seafloor);
+  const std::optional<Seafloor> cut = seen_from_above(r);
+  const Seafloor& top = cut ? *cut : r.seafloor;
+  const DepthRange depths = depth_range(top);
   const Box2 box = extent(r.seafloor);
-  const SuggestedSettings s = suggest_settings(r.seafloor);
+  const SuggestedSettings s = suggest_settings(top);
   const MeshHealth& h = r.health;
   const Vec2 low = r.seafloor.frame.to_file(box.min);
   const Vec2 high = r.seafloor.frame.to_file(box.max);
+  std::vector<std::string> notes = r.notes;
+  if (const std::string hidden = hidden_note(top, r); !hidden.empty()) notes.push_back(hidden);
   return {
       {"file", r.file},
       {"input_hash", r.input_hash},
@@ -102,7 +177,7 @@ nlohmann::json inspection_json(const ImportedSeafloor& r) {
        {{"x_min", low.x()}, {"x_max", high.x()}, {"y_min", low.y()}, {"y_max", high.y()}}},
       {"width_m", box.size().x()},
       {"height_m", box.size().y()},
-      {"area_m2", plan_area_m2(r.seafloor)},
+      {"area_m2", plan_area_m2(top)},
       {"land_share", r.land_share},
       {"depth_min_m", depths.min},
       {"depth_mean_m", depths.mean},
@@ -123,7 +198,7 @@ nlohmann::json inspection_json(const ImportedSeafloor& r) {
         {"flipped_faces", h.flipped_faces},
         {"non_manifold_edges", h.non_manifold_edges},
         {"underside_faces", h.overhanging_faces}}},
-      {"notes", r.notes},
+      {"notes", notes},
       {"warnings", warnings_of(r)},
       {"suggested",
        {{"resolution_m", s.resolution_m},
@@ -136,11 +211,13 @@ nlohmann::json inspection_json(const ImportedSeafloor& r) {
 }
 
 std::string inspection_text(const ImportedSeafloor& r) {
-  const DepthRange depths = depth_range(r.seafloor);
+  const std::optional<Seafloor> cut = seen_from_above(r);
+  const Seafloor& top = cut ? *cut : r.seafloor;
+  const DepthRange depths = depth_range(top);
   const Box2 box = extent(r.seafloor);
   const Vec2 low = r.seafloor.frame.to_file(box.min);
   const Vec2 high = r.seafloor.frame.to_file(box.max);
-  const SuggestedSettings s = suggest_settings(r.seafloor);
+  const SuggestedSettings s = suggest_settings(top);
   const MeshHealth& h = r.health;
   std::string text;
   const auto line = [&](const char* name, const std::string& value) {
@@ -155,14 +232,15 @@ std::string inspection_text(const ImportedSeafloor& r) {
   line("z in file", fmt::format("{:.3f} to {:.3f}", r.raw_z_min, r.raw_z_max));
   line("depths", fmt::format("{:.2f} to {:.2f} m, mean {:.2f} m", std::abs(depths.min), depths.max,
                              depths.mean));
-  line("area", fmt::format("{:.0f} m2", plan_area_m2(r.seafloor)));
+  line("area", fmt::format("{:.0f} m2", plan_area_m2(top)));
   line("mesh",
        fmt::format("{} vertices, {} faces ({} vertical), {} part{}, {} boundary loop{}", h.vertices,
                    h.faces, h.vertical_faces, h.components, h.components == 1 ? "" : "s",
                    h.boundary_loops, h.boundary_loops == 1 ? "" : "s"));
   for (const std::string& note : r.notes) line("note", note);
+  if (const std::string hidden = hidden_note(top, r); !hidden.empty()) line("note", hidden);
   for (const std::string& warning : warnings_of(r)) line("WARNING", warning);
-  line("try", fmt::format("--resolution {} --depth-bands {}", s.resolution_m, s.depth_bands));
+  line("try", fmt::format("<resolution> {} <depth bands> {}", s.resolution_m, s.depth_bands));
   line("", fmt::format("swaths of {:.4g} m, roughly {}, {:.3g} km (256 beams)", s.swath_m,
                        counted(s.lines, "line"), s.line_km));
   return text;

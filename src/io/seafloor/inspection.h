@@ -7,7 +7,7 @@
 
 namespace swathplan {
 
-/// Settings to begin with, derived from the depths.
+/// First settings for a survey, derived from the depths.
 struct SuggestedSettings {
   double resolution_m = 0.1;  ///< cell that a 256-beam fan fills without gaps at the mean depth
   double swath_m = 25.6;      ///< width of the strip that one line sweeps
@@ -18,8 +18,8 @@ struct SuggestedSettings {
 };
 [[nodiscard]] SuggestedSettings suggest_settings(const Seafloor& seafloor);
 
-/// Warnings about data that look as if an option were missing or the mesh were unfit: depths that
-/// look like another unit, several components, non-manifold edges, hardly any relief, very large.
+/// Warnings about data that probably need another option or a better mesh: depths in another unit,
+/// several parts, non-manifold edges, hardly any relief, a very large extent.
 [[nodiscard]] std::vector<std::string> warnings_of(const ImportedSeafloor& imported);
 
 /// What `swathplan inspect` prints: a text for people, or the same as JSON.

@@ -1,15 +1,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/seafloor/grid_import.h"
+#include "io/grids/grid_import.h"
 #include "io/seafloor/lattice_internal.h"
 
 namespace swathplan {
 namespace {
 
-constexpr double kStepTolerance = 0.05;  ///< share of a step; coordinates are rounded in text
-constexpr double kSparsest = 16.0;       ///< places per point beyond which it is no lattice
-constexpr double kJoinedShare = 0.8;     ///< points with a neighbour along both axes
+constexpr double kStepTolerance = 0.05;  ///< share of a step; text files round coordinates
+constexpr double kSparsest = 16.0;       ///< places per point; a lattice has no more
+constexpr double kJoinedShare = 0.8;     ///< at least this share has a neighbour along both axes
 
 struct Axis {
   double first = 0.0, step = 0.0;
@@ -17,7 +17,7 @@ struct Axis {
   [[nodiscard]] double place(double value) const { return (value - first) / step; }
 };
 
-/// The common step of the distinct values; count 0 if there is none.
+/// The axis on which all values lie at equal steps; count 0 if there is none.
 Axis find_axis(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());

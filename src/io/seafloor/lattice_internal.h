@@ -1,11 +1,11 @@
 #pragma once
 
-#include "io/seafloor/surface_data.h"
+#include "io/grids/surface_data.h"
 
 namespace swathplan {
 
-/// If the points lie on a lattice along the axes (steps equal to within a twentieth, most points
-/// with neighbours), joins them as a grid joins its cells and returns true.
+/// Joins points on a lattice along the axes as a grid joins its cells. Returns true if it did. The
+/// steps of a lattice are equal to within a twentieth, and most of its points have neighbours.
 bool join_lattice(SurfaceData& points);
 
 }  // namespace swathplan

@@ -8,9 +8,11 @@
 #include <cstring>
 #include <fstream>
 
-#include "io/files/text_fields.h"
+#include "io/files/child_process.h"
+#include "io/files/text.h"
 #include "io/seafloor/assimp_internal.h"
 #include "io/seafloor/polygon_soup_internal.h"
+#include "io/seafloor/surface_bytes.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
@@ -18,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Extensions that assimp claims but that mean something else to a surveyor.
+/// Extensions that assimp reads as meshes, but that mean something else to a surveyor.
 constexpr std::array kNotMeshes = {".csv", ".xyz", ".txt", ".asc", ".raw", ".xml", ".pts", ".dat"};
 constexpr std::size_t kStlHeader = 84;
 constexpr std::size_t kStlFacet = 50;
@@ -58,7 +60,7 @@ void check_binary_stl(const fs::path& path) {
   }
 }
 
-/// Steps between neighbouring 32-bit floats at the largest coordinate.
+/// The step between neighbouring 32-bit floats at the largest coordinate.
 double float_step(const std::vector<Vec3>& vertices) {
   double largest = 0.0;
   for (const Vec3& v : vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
@@ -92,7 +94,9 @@ bool is_mesh_extension(const std::string& extension) {
   return extension == ".off" || (!extension.empty() && assimp_reads(extension));
 }
 
-SurfaceData read_mesh(const fs::path& path) {
+namespace {
+
+SurfaceData read_mesh_here(const fs::path& path) {
   const std::string extension = lower(path.extension().string());
   const bool is_stl = extension == ".stl";
   const bool exact = extension == ".obj" || extension == ".ply" || extension == ".off" ||
@@ -114,6 +118,41 @@ SurfaceData read_mesh(const fs::path& path) {
         path.string(), data.vertices.size()));
   }
   return data;
+}
+
+/// More for a larger file; what broken counts, cycles and instances ask for is far beyond it.
+ChildLimits limits_for(std::uintmax_t bytes) {
+  constexpr double kSeconds = 15.0, kSecondsPerMegabyte = 0.5;
+  constexpr std::size_t kMemory = std::size_t{1} << 30, kMemoryPerByte = 60;
+  return {kSeconds + kSecondsPerMegabyte * static_cast<double>(bytes) / 1e6,
+          kMemory + kMemoryPerByte * static_cast<std::size_t>(bytes)};
+}
+
+std::string why_not(ChildEnd end, const ChildLimits& limits) {
+  switch (end) {
+    case ChildEnd::too_long:
+      return fmt::format("reading it did not end within {:.0f} s", limits.seconds);
+    case ChildEnd::too_large:
+      return "it asks for far more memory than a mesh of its size needs";
+    default:
+      return "its reader breaks down over it";
+  }
+}
+
+}  // namespace
+
+SurfaceData read_mesh(const fs::path& path) {
+  // Foreign readers crash or loop on broken files. In a process of its own the reader can do no
+  // harm, and the user gets an error message.
+  const ChildLimits limits = limits_for(fs::file_size(path));
+  const ChildResult result = run_in_child([&] { return to_bytes(read_mesh_here(path)); }, limits);
+  if (result.end == ChildEnd::done) return surface_from_bytes(result.text);
+  if (result.end == ChildEnd::failed) throw InvalidInput(result.text);
+  throw InvalidInput(
+      fmt::format("'{}' cannot be read as a mesh: {}. It is damaged or no {} file; export it "
+                  "again, for instance as OBJ",
+                  path.string(), why_not(result.end, limits),
+                  path.extension().empty() ? "mesh" : path.extension().string().substr(1)));
 }
 
 }  // namespace swathplan

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "io/files/text_fields.h"
+#include "io/files/text.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {

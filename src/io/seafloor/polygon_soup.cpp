@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "io/files/text_fields.h"
+#include "io/files/text.h"
 #include "io/seafloor/polygon_soup_internal.h"
 #include "mesh/base/error.h"
 
@@ -27,7 +27,7 @@ struct PlyCounts {
   std::size_t vertices = 0, faces = 0;
 };
 
-/// CGAL reads a PLY without an end of its header for ever, and believes any count.
+/// CGAL never stops reading a PLY whose header has no end. It also believes any count.
 PlyCounts check_ply(const std::filesystem::path& path, std::istream& in) {
   PlyCounts counts;
   const std::size_t size = std::filesystem::file_size(path);
@@ -49,7 +49,7 @@ PlyCounts check_ply(const std::filesystem::path& path, std::istream& in) {
   garbled(path, "has no 'end_header' line");
 }
 
-/// CGAL takes an ASCII STL that ends anywhere, even one without a facet.
+/// CGAL accepts an ASCII STL that ends too early, even one without a facet.
 void check_ascii_stl(const std::filesystem::path& path, std::istream& in) {
   std::string line;
   std::string last;

@@ -9,13 +9,14 @@ namespace swathplan {
 
 enum class SoupFormat { ply, off, ascii_stl };
 
-/// Reads a PLY, OFF or ASCII STL in double precision through CGAL, after checks without which
-/// CGAL would hang or return garbage. @throws InvalidInput for truncated or garbled files.
+/// Reads a PLY, OFF or ASCII STL in double precision through CGAL. Checks come first, because CGAL
+/// would hang on some broken files and return garbage for others.
+/// @throws InvalidInput for truncated or garbled files.
 void read_soup(const std::filesystem::path& path, SoupFormat format, std::vector<Vec3>& vertices,
                std::vector<SoupPolygon>& polygons);
 
-/// Cuts polygons into triangles that follow their outline. @throws InvalidInput for an index that
-/// is out of range or a polygon that cannot be cut; `path` is for the message.
+/// Cuts polygons into triangles that follow their outline. `path` is for the message.
+/// @throws InvalidInput for an index out of range or a polygon that cannot be cut.
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> triangulate(
     const std::filesystem::path& path, const std::vector<Vec3>& vertices,
     const std::vector<SoupPolygon>& polygons);

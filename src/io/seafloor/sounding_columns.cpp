@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "io/files/text_fields.h"
+#include "io/files/text.h"
 
 namespace swathplan {
 namespace {

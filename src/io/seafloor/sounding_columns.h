@@ -12,8 +12,8 @@ struct SoundingColumns {
   bool lon_lat = false;     ///< the columns are named as longitude and latitude
 };
 
-/// Finds the columns by their names ('lon_deg', 'Easting (m)', 'depth', ...); empty if x, y and z
-/// are not all among them.
+/// Finds the columns by their names ('lon_deg', 'Easting (m)', 'depth', ...). Empty if a column for
+/// x, y or z is missing.
 [[nodiscard]] std::optional<SoundingColumns> named_columns(std::string_view header, char separator);
 
 /// The separator and the decimal sign of rows of numbers.
@@ -22,7 +22,7 @@ struct RowStyle {
   bool decimal_comma = false;
 };
 
-/// Finds how a row of at least three numbers is written; empty if it is no such row.
+/// Finds how a row of at least three numbers is written. Empty if it holds no three numbers.
 [[nodiscard]] std::optional<RowStyle> style_of(std::string_view row);
 
 }  // namespace swathplan

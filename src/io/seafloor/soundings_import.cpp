@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "io/files/crs.h"
-#include "io/files/text_fields.h"
+#include "io/files/text.h"
 #include "io/seafloor/lattice_internal.h"
 #include "io/seafloor/sounding_columns.h"
 #include "mesh/base/error.h"

@@ -12,7 +12,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// CGAL fills the polygon as if it were a hole; needed where a fan would leave its outline.
+/// CGAL fills the polygon as if it were a hole. A simple fan of triangles could leave its outline.
 std::vector<CGAL::Triple<int, int, int>> fill(const std::vector<Vec3>& vertices,
                                               const SoupPolygon& polygon) {
   std::vector<Kernel::Point_3> outline;

@@ -8,13 +8,14 @@
 #include <iterator>
 
 #include "io/files/atomic_file.h"
+#include "io/files/gdal_at_home.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
 namespace {
 
 constexpr double kNodata = -9999.0;
-/// Node spacings of a lattice may differ by this share: the rounding of decimal coordinates.
+/// Node spacings of a lattice may differ by this share, because decimal coordinates are rounded.
 constexpr double kEven = 1e-6;
 
 std::string obj_text(const Seafloor& seafloor) {
@@ -29,7 +30,7 @@ std::string obj_text(const Seafloor& seafloor) {
   return text;
 }
 
-struct Axis {
+struct LatticeAxis {
   double first = 0.0, step = 0.0;
   int count = 0;
   [[nodiscard]] int index(double v) const {
@@ -37,10 +38,10 @@ struct Axis {
   }
 };
 
-Axis axis(std::vector<double> values, const std::string& file) {
+LatticeAxis axis(std::vector<double> values, const std::string& file) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
-  Axis result{values.front(), 0.0, static_cast<int>(values.size())};
+  LatticeAxis result{values.front(), 0.0, static_cast<int>(values.size())};
   if (values.size() > 1)
     result.step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
   for (std::size_t i = 0; i + 1 < values.size(); ++i) {
@@ -61,8 +62,8 @@ void write_grid(const std::filesystem::path& path, const std::string& name,
     xs.push_back(p.x());
     ys.push_back(p.y());
   }
-  const Axis x = axis(xs, name);
-  const Axis y = axis(ys, name);
+  const LatticeAxis x = axis(xs, name);
+  const LatticeAxis y = axis(ys, name);
   if (x.count < 2 || y.count < 2 || std::abs(x.step - y.step) > kEven * x.step) {
     throw UsageError(fmt::format(
         "'{}': this seafloor does not stand on a square lattice; write it as .obj", name));
@@ -74,7 +75,7 @@ void write_grid(const std::filesystem::path& path, const std::string& name,
     z[static_cast<std::size_t>(row) * static_cast<std::size_t>(x.count) +
       static_cast<std::size_t>(x.index(xs[i]))] = seafloor.vertices[i].z();
   }
-  GDALAllRegister();
+  register_gdal();
   GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
   const bool ascii = path.extension() == ".asc";
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(ascii ? "AAIGrid" : "GTiff");

@@ -9,9 +9,9 @@
 // How rules of options are checked: the message names option, value and rule.
 namespace swathplan {
 
-/// @throws UsageError 'name = value; must be rule' unless it holds.
+/// @throws UsageError 'name value; must be rule' unless it holds.
 inline void require(bool holds, const char* name, double value, const char* rule) {
-  if (!holds) throw UsageError(fmt::format("{} = {}; must be {}", name, value, rule));
+  if (!holds) throw UsageError(name, fmt::format("{}", value), fmt::format("must be {}", rule));
 }
 
 /// @throws UsageError unless `value` is a finite number above 0.

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "mesh/base/error.h"
+#include "mesh/plane/union_find.h"
 
 namespace swathplan {
 namespace {
@@ -56,11 +56,11 @@ FaceDepth face_depth(const PlanarMesh& mesh, std::uint32_t face, const DepthQuer
 std::vector<double> band_limits(const DepthBands& bands, double shoalest, double deepest) {
   if (!bands.limits.empty()) {
     if (!std::is_sorted(bands.limits.begin(), bands.limits.end(), std::less_equal<>())) {
-      throw UsageError("--depth-bands: the depths between the bands must be ascending");
+      throw UsageError("<depth bands>: the depths between the bands must be ascending");
     }
     return bands.limits;
   }
-  if (bands.count < 1) throw UsageError("--depth-bands: at least one band is needed");
+  if (bands.count < 1) throw UsageError("<depth bands>: at least one band is needed");
   std::vector<double> limits;
   for (int i = 1; i < bands.count; ++i) {
     limits.push_back(shoalest + (deepest - shoalest) * i / bands.count);
@@ -75,24 +75,11 @@ int band_of(double depth, const std::vector<double>& limits) {
 /// Connected sets of faces with the same label, numbered by their lowest face.
 std::vector<std::uint32_t> label_regions(const std::vector<int>& band,
                                          const std::vector<SharedEdge>& edges) {
-  std::vector<std::uint32_t> parent(band.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t f) {
-    while (parent[f] != f) f = parent[f] = parent[parent[f]];
-    return f;
-  };
+  UnionFind regions(band.size());
   for (const SharedEdge& e : edges) {
-    if (band[e.face[0]] != band[e.face[1]]) continue;
-    const std::uint32_t a = root(e.face[0]);
-    const std::uint32_t b = root(e.face[1]);
-    parent[std::max(a, b)] = std::min(a, b);
+    if (band[e.face[0]] == band[e.face[1]]) regions.join(e.face[0], e.face[1]);
   }
-  std::vector<std::uint32_t> region(band.size());
-  std::uint32_t count = 0;
-  for (std::uint32_t f = 0; f < band.size(); ++f) {
-    region[f] = root(f) == f ? count++ : region[root(f)];
-  }
-  return region;
+  return regions.numbered();
 }
 
 double edge_length(const PlanarMesh& mesh, const SharedEdge& e) {
@@ -166,7 +153,7 @@ DepthRegions depth_regions(const PlanarMesh& mesh, const std::vector<SharedEdge>
       const std::string to =
           b < result.band_limits_m.size() ? fmt::format("{:g}", result.band_limits_m[b]) : "below";
       throw UsageError(fmt::format(
-          "--depth-bands: no part of the survey area lies in the band {} to {} m; its depths run "
+          "<depth bands>: no part of the survey area lies in the band {} to {} m; its depths run "
           "from {:.2f} to {:.2f} m",
           from, to, shoalest, deepest));
     }

@@ -94,7 +94,7 @@ FaceLayout face_layout(const Area& area, double size_m, Angle turn) {
 void require_faces(const PlanarMesh& mesh) {
   if (!mesh.faces.empty()) return;
   throw InvalidInput(
-      "the survey area is too small for a single face; use a finer --resolution or a larger area");
+      "the survey area is too small for a single face; use a finer <resolution> or a larger area");
 }
 
 }  // namespace swathplan

@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "mesh/plane/segments.h"
+
 namespace swathplan {
 namespace {
 
@@ -17,8 +19,6 @@ constexpr double kStraightTurn = 1e-6;
 /// An arc around a sub-facet's centroid goes at most 0.59 of the way to the chord of its ends;
 /// with half of it no chord between two sides passes a reflex corner by more than the arc keeps.
 constexpr double kReflexShare = 0.5;
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Metres that p lies left of the line from a to b.
 double left_of(const Vec2& a, const Vec2& b, const Vec2& p) {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+
+#include "mesh/plane/union_find.h"
 
 namespace swathplan {
 namespace {
@@ -68,19 +69,10 @@ Gates choose_gates(const PlanarMesh& mesh, const std::vector<SharedEdge>& edges,
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Gate& a, const Gate& b) { return a.slope < b.slope; });
 
-  std::vector<std::uint32_t> parent(regions.regions.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t r) {
-    while (parent[r] != r) r = parent[r] = parent[parent[r]];
-    return r;
-  };
+  UnionFind joined(regions.regions.size());
   Gates result;
   for (const Gate& gate : candidates) {
-    const std::uint32_t a = root(gate.region_a);
-    const std::uint32_t b = root(gate.region_b);
-    if (a == b) continue;
-    parent[std::max(a, b)] = std::min(a, b);
-    result.gates.push_back(gate);
+    if (joined.join(gate.region_a, gate.region_b)) result.gates.push_back(gate);
   }
   std::sort(result.gates.begin(), result.gates.end(), [](const Gate& a, const Gate& b) {
     return std::pair(a.region_a, a.region_b) < std::pair(b.region_a, b.region_b);

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "mesh/base/error.h"
 #include "mesh/planar/planar_mesh.h"
+#include "mesh/plane/union_find.h"
 
 namespace swathplan {
 
@@ -70,23 +70,9 @@ std::vector<SharedEdge> shared_edges(const PlanarMesh& mesh) {
 
 std::vector<std::uint32_t> connected_parts(const PlanarMesh& mesh,
                                            const std::vector<SharedEdge>& edges) {
-  std::vector<std::uint32_t> parent(mesh.faces.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t f) {
-    while (parent[f] != f) f = parent[f] = parent[parent[f]];
-    return f;
-  };
-  for (const SharedEdge& e : edges) {
-    const std::uint32_t a = root(e.face[0]);
-    const std::uint32_t b = root(e.face[1]);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-  std::vector<std::uint32_t> part(mesh.faces.size());
-  std::uint32_t count = 0;
-  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-    part[f] = root(f) == f ? count++ : part[root(f)];
-  }
-  return part;
+  UnionFind parts(mesh.faces.size());
+  for (const SharedEdge& e : edges) parts.join(e.face[0], e.face[1]);
+  return parts.numbered();
 }
 
 double face_area(const PlanarMesh& mesh, std::uint32_t face) {

@@ -4,22 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/plane/segments.h"
+
 namespace swathplan {
 
 struct AreaEdge {
   Vec2 a, b;
 };
-
-namespace {
-
-Vec2 nearest_on(const AreaEdge& e, const Vec2& p) {
-  const Vec2 d = e.b - e.a;
-  const double length2 = d.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp((p - e.a).dot(d) / length2, 0.0, 1.0) : 0.0;
-  return e.a + t * d;
-}
-
-}  // namespace
 
 struct AreaQuery::Impl {
   std::vector<AreaEdge> edges;
@@ -128,7 +119,8 @@ std::pair<double, Vec2> AreaQuery::Impl::nearest(const Vec2& p, double within) c
     if (c < 0 || r < 0 || c >= columns || r >= rows) return;
     const auto b = static_cast<std::size_t>(r * columns + c);
     for (std::uint32_t k = start[b]; k < start[b + 1]; ++k) {
-      const Vec2 q = nearest_on(edges[items[k]], p);
+      const AreaEdge& e = edges[items[k]];
+      const Vec2 q = nearest_on_segment(e.a, e.b, p).point;
       const double d = (q - p).norm();
       if (d < best) {
         best = d;
@@ -204,11 +196,11 @@ std::vector<std::pair<double, double>> AreaQuery::clip(const Vec2& a, const Vec2
       for (std::uint32_t k = d.start[bucket]; k < d.start[bucket + 1]; ++k) {
         const AreaEdge& e = d.edges[d.items[k]];
         const Vec2 along = e.b - e.a;
-        const double denominator = way.x() * along.y() - way.y() * along.x();
+        const double denominator = cross(way, along);
         if (denominator == 0.0) continue;
         const Vec2 w = e.a - a;
-        const double t = (w.x() * along.y() - w.y() * along.x()) / denominator;
-        const double s = (w.x() * way.y() - w.y() * way.x()) / denominator;
+        const double t = cross(w, along) / denominator;
+        const double s = cross(w, way) / denominator;
         if (t > 0.0 && t < 1.0 && s >= -1e-12 && s <= 1.0 + 1e-12) cuts.push_back(t);
       }
     }

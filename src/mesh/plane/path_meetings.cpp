@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "mesh/plane/segment_pairs_internal.h"
+#include "mesh/plane/segments.h"
 #include "mesh/plane/union_find.h"
 
 namespace swathplan {
@@ -14,15 +15,9 @@ namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Share of the segment at which it is nearest to p.
 double nearest_share(const Vec2& a, const Vec2& b, const Vec2& p) {
-  return std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-}
-
-double distance(const Vec2& a, const Vec2& b, const Vec2& p) {
-  return (p - (a + nearest_share(a, b, p) * (b - a))).norm();
+  return nearest_on_segment(a, b, p).share;
 }
 
 class Meetings {
@@ -58,7 +53,7 @@ class Meetings {
 
  private:
   [[nodiscard]] bool near(std::size_t point, std::size_t segment) const {
-    return distance(p_[segment], p_[segment + 1], p_[point]) <= kTogetherM;
+    return distance_to_segment(p_[segment], p_[segment + 1], p_[point]) <= kTogetherM;
   }
 
   [[nodiscard]] bool meet(std::size_t i, std::size_t j) const {
@@ -120,7 +115,7 @@ class Meetings {
       const Vec2& point, const std::vector<std::size_t>& segments) const {
     std::pair best(std::numeric_limits<double>::infinity(), std::size_t{0});
     for (const std::size_t s : segments) {
-      best = std::min(best, std::pair(distance(p_[s], p_[s + 1], point), s));
+      best = std::min(best, std::pair(distance_to_segment(p_[s], p_[s + 1], point), s));
     }
     return best;
   }

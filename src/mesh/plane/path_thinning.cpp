@@ -8,7 +8,9 @@ namespace {
 /// Douglas-Peucker is quadratic on lines that coil, so long stretches are taken in pieces.
 constexpr std::size_t kPiece = 2000;
 
-double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+/// From differences to `a` alone, which keep small distances exact far from the origin; that is why
+/// segments.h does not serve here.
+double distance_to_straight(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;
   const double square = along.squaredNorm();
   const double t = square > 0.0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
@@ -23,7 +25,7 @@ struct Farthest {
 Farthest farthest_between(const std::vector<Vec2>& path, std::size_t first, std::size_t last) {
   Farthest result{first, 0.0};
   for (std::size_t i = first + 1; i < last; ++i) {
-    const double d = distance_to_segment(path[i], path[first], path[last]);
+    const double d = distance_to_straight(path[i], path[first], path[last]);
     if (d > result.distance_m) result = {i, d};
   }
   return result;

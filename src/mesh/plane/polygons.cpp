@@ -5,6 +5,9 @@
 #include <functional>
 #include <polyclipping/clipper.hpp>
 
+#include "mesh/plane/segments.h"
+#include "mesh/plane/unite_in_halves_internal.h"
+
 namespace swathplan {
 namespace {
 
@@ -93,13 +96,6 @@ void each_edge(const Area& area, Visit&& visit) {
   }
 }
 
-double distance_to_edge(const Vec2& a, const Vec2& b, const Vec2& p) {
-  const Vec2 d = b - a;
-  const double length2 = d.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0.0;
-  return (a + t * d - p).norm();
-}
-
 }  // namespace
 
 double signed_area(const Ring& ring) {
@@ -108,7 +104,7 @@ double signed_area(const Ring& ring) {
     // Relative to the first point, so that large coordinates do not cancel.
     const Vec2 a = ring[j] - ring[0];
     const Vec2 b = ring[i] - ring[0];
-    twice += a.x() * b.y() - a.y() * b.x();
+    twice += cross(a, b);
   }
   return 0.5 * twice;
 }
@@ -138,7 +134,7 @@ bool contains(const Area& area, const Vec2& p) {
       const double x = a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
       if (x > p.x()) inside = !inside;
     }
-    if (!on_outline && distance_to_edge(a, b, p) <= 1e-9) on_outline = true;
+    if (!on_outline && distance_to_segment(a, b, p) <= 1e-9) on_outline = true;
   });
   return inside || on_outline;
 }
@@ -146,7 +142,7 @@ bool contains(const Area& area, const Vec2& p) {
 double distance_to_outline(const Area& area, const Vec2& p) {
   double best = std::numeric_limits<double>::infinity();
   each_edge(area, [&](const Vec2& a, const Vec2& b) {
-    best = std::min(best, distance_to_edge(a, b, p));
+    best = std::min(best, distance_to_segment(a, b, p));
   });
   return best;
 }
@@ -155,7 +151,72 @@ Area unite(const Area& a, const Area& b) { return boolean(a, b, ClipperLib::ctUn
 Area intersect(const Area& a, const Area& b) { return boolean(a, b, ClipperLib::ctIntersection); }
 Area subtract(const Area& a, const Area& b) { return boolean(a, b, ClipperLib::ctDifference); }
 
+namespace {
+
+/// Areas of more rings than this are offset ring by ring.
+constexpr std::size_t kManyRings = 1000;
+
+/// One outline, counter-clockwise, grown or shrunk.
+Paths offset_ring(Path ring, double distance) {
+  if (!ClipperLib::Orientation(ring)) std::reverse(ring.begin(), ring.end());
+  ClipperLib::ClipperOffset clipper(2.0, kArcTolerance / kLattice);
+  clipper.AddPath(ring, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
+  Paths result;
+  clipper.Execute(result, distance / kLattice);
+  return result;
+}
+
+/// A grown polygon: its outline grown, and its holes, each a shrunk ring, run the other way.
+Paths grown(const Polygon& polygon, double distance) {
+  Paths paths = offset_ring(to_path(polygon.outer), distance);
+  for (const Ring& hole : polygon.holes) {
+    for (Path& ring : offset_ring(to_path(hole), -distance)) {
+      std::reverse(ring.begin(), ring.end());
+      paths.push_back(std::move(ring));
+    }
+  }
+  return paths;
+}
+
+/// Grows all polygons, and unites them from the left to the right.
+Paths grown_together(std::vector<Polygon> polygons, double distance) {
+  std::stable_sort(polygons.begin(), polygons.end(), [](const Polygon& x, const Polygon& y) {
+    return std::pair(x.outer.front().x(), x.outer.front().y()) <
+           std::pair(y.outer.front().x(), y.outer.front().y());
+  });
+  std::vector<Paths> parts;
+  for (const Polygon& polygon : polygons) parts.push_back(grown(polygon, distance));
+  Paths result;
+  unite_in_halves(parts, 0, parts.size(), result);
+  return result;
+}
+
+/// Of very many rings. Clipper would offset all at once, at a cost that is quadratic in the
+/// crossings of rings that overlap or vanish.
+Area offset_by_rings(const Area& a, double distance) {
+  ClipperLib::Clipper clipper;
+  clipper.StrictlySimple(true);
+  if (distance >= 0.0) {
+    clipper.AddPaths(grown_together(a, distance), ClipperLib::ptSubject, true);
+  } else {
+    std::vector<Polygon> holes;
+    for (const Polygon& polygon : a) {
+      clipper.AddPaths(offset_ring(to_path(polygon.outer), distance), ClipperLib::ptSubject, true);
+      for (const Ring& hole : polygon.holes) holes.push_back({hole, {}});
+    }
+    clipper.AddPaths(grown_together(std::move(holes), -distance), ClipperLib::ptClip, true);
+  }
+  ClipperLib::PolyTree tree;
+  clipper.Execute(ClipperLib::ctDifference, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  return to_area(tree);
+}
+
+}  // namespace
+
 Area offset(const Area& a, double distance) {
+  std::size_t rings = a.size();
+  for (const Polygon& polygon : a) rings += polygon.holes.size();
+  if (rings > kManyRings) return offset_by_rings(a, distance);
   ClipperLib::ClipperOffset clipper(2.0, kArcTolerance / kLattice);
   clipper.AddPaths(to_paths(a), ClipperLib::jtRound, ClipperLib::etClosedPolygon);
   ClipperLib::PolyTree tree;
@@ -186,7 +247,7 @@ void keep_between(const Ring& ring, std::size_t first, std::size_t last, double 
     std::size_t at = 0;
     for (std::size_t k = i + 1; k < j; ++k) {
       const double d =
-          distance_to_edge(ring[i % ring.size()], ring[j % ring.size()], ring[k % ring.size()]);
+          distance_to_segment(ring[i % ring.size()], ring[j % ring.size()], ring[k % ring.size()]);
       if (d > worst) {
         worst = d;
         at = k;
@@ -235,36 +296,17 @@ Area simplify(const Area& a, double tolerance) {
   return from_rings(rings, true);
 }
 
-bool crosses_itself(const Ring& ring) {
-  const auto cross = [](const Vec2& a, const Vec2& b, const Vec2& c) {
-    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-  };
-  const std::size_t n = ring.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2& a = ring[i];
-    const Vec2& b = ring[(i + 1) % n];
-    for (std::size_t j = i + 2; j < n; ++j) {
-      if (i == 0 && j == n - 1) continue;
-      const Vec2& c = ring[j];
-      const Vec2& d = ring[(j + 1) % n];
-      if (cross(a, b, c) * cross(a, b, d) < 0.0 && cross(c, d, a) * cross(c, d, b) < 0.0)
-        return true;
-    }
-  }
-  return false;
-}
-
 std::vector<std::pair<double, double>> clip_segment(const Area& area, const Vec2& a,
                                                     const Vec2& b) {
   const Vec2 d = b - a;
   std::vector<double> cuts{0.0, 1.0};
   each_edge(area, [&](const Vec2& p, const Vec2& q) {
     const Vec2 e = q - p;
-    const double denominator = d.x() * e.y() - d.y() * e.x();
+    const double denominator = cross(d, e);
     if (denominator == 0.0) return;
     const Vec2 w = p - a;
-    const double t = (w.x() * e.y() - w.y() * e.x()) / denominator;
-    const double s = (w.x() * d.y() - w.y() * d.x()) / denominator;
+    const double t = cross(w, e) / denominator;
+    const double s = cross(w, d) / denominator;
     if (t > 0.0 && t < 1.0 && s >= -1e-12 && s <= 1.0 + 1e-12) cuts.push_back(t);
   });
   std::sort(cuts.begin(), cuts.end());

@@ -47,8 +47,6 @@ using Area = std::vector<Polygon>;
 [[nodiscard]] Area from_rings(const std::vector<Ring>& rings, bool nonzero);
 /// Drops points that lie within `tolerance` metres of the outline that is left.
 [[nodiscard]] Area simplify(const Area& a, double tolerance);
-/// True if a ring of the area touches or crosses itself or another ring.
-[[nodiscard]] bool crosses_itself(const Ring& ring);
 
 /// The parts of the segment a-b that lie inside the area, as parameter intervals in [0, 1], sorted.
 [[nodiscard]] std::vector<std::pair<double, double>> clip_segment(const Area& area, const Vec2& a,

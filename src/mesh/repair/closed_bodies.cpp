@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "mesh/edge_table.h"
+#include "mesh/plane/segments.h"
 #include "mesh/plane/union_find.h"
 #include "mesh/repair/closed_bodies_internal.h"
-#include "mesh/repair/edge_table.h"
 
 namespace swathplan {
 namespace {
@@ -61,7 +62,7 @@ void make_faces_agree(Seafloor& mesh) {
 double plan_area_twice(const Seafloor& mesh, const Face& f) {
   const Vec3 ab = mesh.vertices[f[1]] - mesh.vertices[f[0]];
   const Vec3 ac = mesh.vertices[f[2]] - mesh.vertices[f[0]];
-  return ab.x() * ac.y() - ab.y() * ac.x();
+  return cross(ab.head<2>(), ac.head<2>());
 }
 
 /// Six times the volume that each closed part encloses, positive where its faces look outwards.

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesh/edge_table.h"
 #include "mesh/plane/union_find.h"
-#include "mesh/repair/edge_table.h"
 #include "mesh/repair/mesh_repair.h"
 
 namespace swathplan {

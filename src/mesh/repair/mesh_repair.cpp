@@ -10,9 +10,9 @@
 #include <limits>
 
 #include "mesh/base/error.h"
+#include "mesh/edge_table.h"
 #include "mesh/plane/union_find.h"
 #include "mesh/repair/closed_bodies_internal.h"
-#include "mesh/repair/edge_table.h"
 #include "mesh/repair/needles_internal.h"
 
 namespace swathplan {

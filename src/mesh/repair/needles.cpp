@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "mesh/repair/edge_table.h"
+#include "mesh/edge_table.h"
 #include "mesh/repair/needles_internal.h"
 
 namespace swathplan {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSamePlace = 1e-6;  // tracks nearer than a micrometre are one track
 
-// Looks no farther back than a skip and its loop: tracks before that lie closer to the start.
+// Earlier tracks need no look: before a skip and its loop all tracks lie closer to the start.
 bool was_sailed(const AccordionState& state, double across) {
   const auto first = state.sailed.size() > 6 ? state.sailed.end() - 6 : state.sailed.begin();
   return std::any_of(first, state.sailed.end(), [&](const SurveyTrack& t) {
@@ -46,7 +46,7 @@ std::optional<double> loop_back(const AccordionState& state) {
   return needed ? std::optional(back) : std::nullopt;
 }
 
-// Whether a track at `next` would leave an object ahead without its look from the far side.
+// Whether a track at `next` lies too far for its look at an object ahead from the far side.
 bool passes_over_object(const AccordionState& state, double next) {
   const Interval look = looked_at_behind(state.options, next);
   return std::any_of(state.pending.begin(), state.pending.end(), [&](const Interval& o) {
@@ -143,7 +143,7 @@ void note_side(AccordionState& state, const SurveyTrack& track, const CostMap& m
   if (any) ++state.strips_with_objects;
 }
 
-// Objects that have both looks, or lie where no further track can look at them, are done.
+// Drops the objects that were seen from both sides, and those that no further track can see.
 void forget_finished(AccordionState& state) {
   const double behind = state.front_m - 2.0 * sonar_range_m(state.options);
   std::erase_if(state.pending, [&](const Interval& o) {
@@ -158,16 +158,16 @@ void check(const AccordionOptions& o) {
   require_positive("length", o.length_m);
   require_positive("spacing", o.spacing_m);
   if (!(o.nadir_gap_m >= 0.0 && o.nadir_gap_m < o.spacing_m)) {
-    throw UsageError(fmt::format("nadir gap = {} m; must lie in [0, spacing = {} m)", o.nadir_gap_m,
-                                 o.spacing_m));
+    throw UsageError("nadir gap", fmt::format("{} m", o.nadir_gap_m),
+                     fmt::format("must lie in [0, spacing = {} m)", o.spacing_m));
   }
   if (!(o.clearance_m >= 0.0 && o.clearance_m < 0.5 * (o.spacing_m - o.nadir_gap_m))) {
-    throw UsageError(fmt::format("clearance = {} m; must lie in [0, half of spacing - nadir gap)",
-                                 o.clearance_m));
+    throw UsageError("clearance", fmt::format("{} m", o.clearance_m),
+                     "must lie in [0, half of spacing - nadir gap)");
   }
   if (!(o.threshold >= 0.0) || !std::isfinite(o.threshold)) {
-    throw UsageError(
-        fmt::format("threshold = {}; must be a finite number of at least 0", o.threshold));
+    throw UsageError("threshold", fmt::format("{}", o.threshold),
+                     "must be a finite number of at least 0");
   }
 }
 

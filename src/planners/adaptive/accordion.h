@@ -11,9 +11,9 @@ namespace swathplan {
 
 /// Which rule lays the next track.
 enum class AccordionRule {
-  basic,   ///< the published algorithm: always hope for an empty strip
-  bounded  ///< skips a track only while the worst that can follow stays within one track of the
-           ///< overlapping lawnmower, and while skipping pays on average
+  basic,   ///< the published algorithm: always skips a strip in the hope that it is empty
+  bounded  ///< skips a track only while skipping pays on average, and while even the worst outcome
+           ///< is longer than the overlapping lawnmower by no more than one track
 };
 
 struct AccordionOptions {
@@ -23,14 +23,15 @@ struct AccordionOptions {
   double nadir_gap_m = 0.0;  ///< half-width of the blind strip below the sonar, [0, spacing_m)
   double threshold = 0.5;    ///< a cost above it is an object of interest, >= 0
   AccordionRule rule = AccordionRule::basic;
-  /// How far an object may lie from where the cost map shows it, >= 0. The bounded rule, which lays
-  /// tracks by the objects' places, stays so far clear of the limits of its looks.
+  /// How far an object may lie from where the cost map shows it, >= 0. The bounded rule lays tracks
+  /// by the places of objects, so it keeps them this far inside the sonar's limits.
   double clearance_m = 0.0;
 };
 /// @throws UsageError if an option breaks its rule; the message names it.
 void check(const AccordionOptions& options);
 
-/// Sonar range that the spacing needs: W + nadir gap, so that a neighbour sees below a track.
+/// Sonar range that the spacing needs: W + nadir gap. A neighbouring track then sees the blind
+/// strip below a track.
 [[nodiscard]] double sonar_range_m(const AccordionOptions& options);
 
 /// Cost map of one side of a track: rows along the track, columns from the track outwards, the
@@ -46,35 +47,35 @@ struct CostMap {
            static_cast<std::size_t>(column);
   }
 };
-/// What a finished track saw towards the start (`back`) and towards the far edge (`ahead`).
+/// What a sailed track saw: `back` towards the start edge, `ahead` towards the far edge.
 struct AccordionObservation {
   CostMap back, ahead;
 };
 
-/// Plain data; starts as start_accordion(options).
+/// The state of a mission; plain data. It begins as start_accordion(options).
 struct AccordionState {
   AccordionOptions options;
   std::vector<SurveyTrack> sailed;
   IntervalSet seen_from_below;    ///< looked at from a smaller `across_m`
   IntervalSet seen_from_above;    ///< looked at from a larger `across_m`
-  std::vector<Interval> pending;  ///< objects that still lack a look, across axis
+  std::vector<Interval> pending;  ///< objects not yet seen from both sides, across axis
   double front_m = 0.0;           ///< farthest track so far
   double sailed_m = 0.0;          ///< tracks and connectors, from the start corner
-  // What the bounded rule estimates its chances from.
-  int strips_seen = 0, strips_with_objects = 0;  ///< first looks at a strip
-  int loops = 0;                                 ///< times it went back
+  // From these the bounded rule estimates how often a skip succeeds.
+  int strips_seen = 0, strips_with_objects = 0;  ///< strips seen for the first time
+  int loops = 0;                                 ///< how often a track went back
   double loops_m = 0.0;                          ///< way there and back, without the tracks
 };
 
 [[nodiscard]] AccordionState start_accordion(const AccordionOptions& options);
 
-/// The next track; empty when the area is done: all of it seen, every object from both sides.
-/// Tracks alternate in direction. Same state, same track.
+/// The next track. Empty when the area is done: all of it is seen, and every object from both
+/// sides. Tracks alternate in direction. The same state always gives the same track.
 [[nodiscard]] std::optional<SurveyTrack> next_track(const AccordionState& state);
 
-/// The state after `track` was sailed. Guarantee: only next_track(state) is taken.
-/// @throws InvalidInput if that is not the track, or a cost map has the wrong size, does not reach
-/// the sonar range, or holds a NaN, infinite or negative cost.
+/// The state after `track` was sailed.
+/// @throws InvalidInput if `track` is not next_track(state), or if a cost map has the wrong size,
+/// does not reach the sonar range, or holds a NaN, infinite or negative cost.
 [[nodiscard]] AccordionState observe(AccordionState state, const SurveyTrack& track,
                                      const AccordionObservation& observation);
 

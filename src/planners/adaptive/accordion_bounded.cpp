@@ -1,6 +1,6 @@
-// The bounded accordion: looks ahead no farther than the worst case allows. Its invariant: what
-// has been sailed, plus the overlapping lawnmower over the rest, is never longer than the lawnmower
-// over the whole area by more than one track and its connector.
+// The bounded accordion: a track skips no farther than the worst case allows. Its invariant: take
+// the way sailed so far, and add an overlapping lawnmower over the rest of the area. The sum is
+// never longer than the lawnmower over the whole area by more than one track and its connector.
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kSameTrack = 1e-6;  // tracks nearer than a micrometre are one track
 
-// Prior of the share of strips with objects: 0.5 of 2 strips. Its mean of a quarter lets the
-// mission start with hope wherever skipping pays up to a third of the strips (alpha <= 1).
+// The prior share of strips with objects: 0.5 of 2 strips, a mean of a quarter. A skip pays while
+// at most a third of the strips hold objects (alpha <= 1), so that a mission begins with skips.
 constexpr double kPriorWith = 0.5;
 constexpr double kPriorAll = 2.0;
 
@@ -20,7 +20,7 @@ double position(const AccordionState& state) {
   return state.sailed.empty() ? 0.0 : state.sailed.back().across_m;
 }
 
-// Before the first track, all looks as if a track lay one strip outside the start edge.
+// Before the first track, the rule behaves as if a track lay one strip outside the start edge.
 double front(const AccordionState& state) {
   return state.sailed.empty() ? -state.options.spacing_m : state.front_m;
 }
@@ -31,7 +31,7 @@ double lawnmower_length_m(const AccordionOptions& o, double from) {
   return rest + std::ceil(rest / o.spacing_m - kSameTrack) * o.length_m;
 }
 
-// A skip to `next` fails at worst by one loop back to the strip's edge, a lawnmower after it.
+// The worst outcome of a skip to `next`: a loop back to the strip's edge, then a lawnmower.
 double worst_length_m(const AccordionState& state, double next) {
   const AccordionOptions& o = state.options;
   const double unseen = next - front(state) - o.spacing_m + o.clearance_m;
@@ -45,7 +45,8 @@ bool stays_in_bound(const AccordionState& state, double next) {
   return worst_length_m(state, next) <= lawnmower + o.length_m + o.spacing_m + kSameTrack;
 }
 
-// A skip over the share s of a strip saves s tracks or else costs the rest of one and a loop.
+// A skip over the share s of a strip saves s tracks if it succeeds. If it fails, it costs the rest
+// of a track and a loop.
 bool pays(const AccordionState& state, double next) {
   const AccordionOptions& o = state.options;
   const double s = (next - front(state) - o.spacing_m) / o.spacing_m;
@@ -59,7 +60,7 @@ bool waits(const AccordionState& state, const Interval& o) {
   return o.high > state.front_m - state.options.nadir_gap_m && !state.seen_from_above.covers(o);
 }
 
-// Farthest track that still looks at every object ahead from its far side.
+// The farthest track that still sees every object ahead from its far side.
 double farthest_look(const AccordionState& state) {
   double result = front(state) + 2.0 * state.options.spacing_m;
   for (const Interval& o : state.pending) {
@@ -70,9 +71,9 @@ double farthest_look(const AccordionState& state) {
   return std::max(result, front(state) + state.options.spacing_m);
 }
 
-// How far back a loop has to see for an object: to its near edge; or, where images place objects
-// only roughly and one look finds what another did not, to the end of what was seen from below, so
-// that no second loop follows.
+// How far back a loop has to see for an object: to the object's near edge. Where images place
+// objects only roughly, one look may find what another did not. The loop then sees back to the end
+// of what was seen from below, so that no second loop follows.
 double loop_edge(const AccordionState& state, const Interval& object) {
   const AccordionOptions& o = state.options;
   if (o.clearance_m == 0.0) return state.seen_from_below.run_end(object.low);
@@ -83,8 +84,8 @@ double loop_edge(const AccordionState& state, const Interval& object) {
   return end - std::min(o.clearance_m, o.nadir_gap_m);
 }
 
-// The first loop after a skip always does; further ones, which only contradicting looks ask for,
-// must not break the bound.
+// The first loop after a skip always stays in the bound. Contradicting looks may ask for further
+// loops; these must not break it.
 bool loop_stays_in_bound(const AccordionState& state, double back) {
   const AccordionOptions& o = state.options;
   const double whole = o.length_m + lawnmower_length_m(o, 0.0) + o.length_m + o.spacing_m;
@@ -92,8 +93,8 @@ bool loop_stays_in_bound(const AccordionState& state, double back) {
   return state.sailed_m + way + lawnmower_length_m(o, state.front_m) <= whole + kSameTrack;
 }
 
-// Whether a lawnmower from `next` on would still end within the bound, should objects yet unseen
-// ask for it.
+// Whether a lawnmower from `next` on would still end within the bound. Objects that are not seen
+// yet may ask for one.
 bool lawnmower_stays_in_bound(const AccordionState& state, double next) {
   const AccordionOptions& o = state.options;
   const double whole = o.length_m + lawnmower_length_m(o, 0.0) + o.length_m + o.spacing_m;
@@ -124,10 +125,11 @@ std::optional<double> bounded_loop_back(const AccordionState& state) {
   const AccordionOptions& o = state.options;
   const double blind = state.front_m + o.nadir_gap_m;
   std::optional<double> back;
-  double nearest = 0.0;             // from here on the farthest object is still in range
-  double farthest = state.front_m;  // up to here no object lies in the loop's own nadir gap
+  double nearest = 0.0;  // no farther back than this, or the farthest object is out of range
+  double farthest =
+      state.front_m;  // no farther ahead than this, or an object lies in the loop's own nadir gap
   for (const Interval& object : state.pending) {
-    // What lies in the nadir gap ahead of the last track can be seen from below by no later one.
+    // No later track can see from below what lies in the nadir gap ahead of the last track.
     if (object.low >= blind || state.seen_from_below.covers(object)) continue;
     const double edge = loop_edge(state, object) - o.nadir_gap_m;
     back = std::max(0.0, back ? std::min(*back, edge) : edge);
@@ -145,13 +147,14 @@ double bounded_step(const AccordionState& state) {
   const AccordionOptions& o = state.options;
   const double rest = o.width_m - state.front_m;
   if (rest <= o.spacing_m + kSameTrack) {
-    // A track at the far edge is the last for sure; a nearer one may find yet another object ahead.
+    // A track at the far edge is certainly the last one. A nearer track may find another object
+    // ahead.
     const double nearest = std::min(beyond_objects(state, o.width_m - o.spacing_m), o.width_m);
     return lawnmower_stays_in_bound(state, nearest) ? nearest : o.width_m;
   }
   const double one = state.front_m + o.spacing_m;
   if (rest <= 2.0 * o.spacing_m + kSameTrack) {
-    // One track within a strip of the edge sees all the rest, objects ahead included.
+    // One track within a strip of the edge sees all the rest, and the objects ahead as well.
     return std::min(one, beyond_objects(state, o.width_m - o.spacing_m));
   }
   const double far = farthest_look(state);

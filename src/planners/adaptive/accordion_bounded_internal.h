@@ -6,10 +6,11 @@
 
 namespace swathplan {
 
-/// Where the bounded rule lays the first track, a track back for objects behind, and the next
-/// track ahead. All in metres across. `bounded_step` needs an area that is not done.
+/// Where the bounded rule lays the first track, metres across.
 [[nodiscard]] double bounded_start(const AccordionState& state);
+/// Where it lays a track back for objects behind; empty where none is needed. Metres across.
 [[nodiscard]] std::optional<double> bounded_loop_back(const AccordionState& state);
+/// Where it lays the next track ahead, metres across. The area must not be done.
 [[nodiscard]] double bounded_step(const AccordionState& state);
 
 }  // namespace swathplan

@@ -4,16 +4,16 @@
 #include <numbers>
 
 #include "mesh/base/error.h"
-#include "planners/adaptive/adaptive_worlds.h"
+#include "mesh/base/random.h"
 
 namespace swathplan {
 namespace {
 
 constexpr int kDraws = 1000;
-// A ray to an object's top may end on the facet before it.
+// A ray to an object's top may end on the facet in front of it.
 constexpr double kSightSlack = 0.3;
-// The gap filler looks this far beyond the nadir gap: near its edge the side-scan image is steep,
-// shadows are short, and half an object may be cut away.
+// The gap filler reaches this far beyond the nadir gap. Near the gap's edge the side-scan image is
+// steep, shadows are short, and half an object may be cut off.
 constexpr double kFillerOverlap = 3.0;
 
 DroppedObject object_of_kind(int kind) {

@@ -12,15 +12,15 @@
 namespace swathplan {
 namespace {
 
-// The bottom's own level is taken over so much of the image around a pixel.
+// The bottom's own level is the mean over this much of the image around a pixel.
 constexpr double kLevelAlong = 30.0;
 constexpr double kLevelAcross = 2.0;
 // Speckle is averaged over a third of the window before contrasts are measured.
 constexpr double kSmoothShare = 1.0 / 3.0;
-// Variation is compared with its mean over so much around; five times as much costs 1.
+// Variation is compared with its mean over this much around. Five times the mean costs 1.
 constexpr double kSurroundings = 12.0;
 constexpr double kFullCost = 4.0;
-// Contrasts below a twentieth of the mean return are nothing, even in an image without speckle.
+// Contrasts below a twentieth of the mean return do not count, even in an image without speckle.
 constexpr double kLeastVariation = 0.05;
 // The height above the bottom that costs 1 in the nadir gap, and the square of its local mean.
 constexpr double kNadirHeight = 0.35;
@@ -66,7 +66,7 @@ float median(const cv::Mat& values) {
   return *middle;
 }
 
-// How far the variation stands out of its surroundings: facets, ripples and speckle raise both.
+// Variation compared with its surroundings: facets, ripples and speckle raise both.
 cv::Mat outstanding(const cv::Mat& variation, const SideScanImage& image) {
   const cv::Mat around =
       box(variation, pixels(kSurroundings, image.row_m), pixels(kSurroundings, image.pixel_m));

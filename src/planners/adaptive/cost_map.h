@@ -13,23 +13,24 @@ struct CostMapOptions {
   double row_m = 5.0;         ///< along-track length of a row of the cost map, > 0
 };
 
-/// Cost maps of both sides from an image: local variation of the intensity (standard deviation over
-/// mean in a window, OpenCV box filters), after each side is levelled to the mean return of its
-/// range, so that range and grazing angle leave no trend. A cost tells how far the variation stands
-/// out of its surroundings (12 m around), since facets, ripples and speckle vary everywhere: 0 is
-/// no more than usual, 1 five times as much. Patches too small for an object are wiped. Rows of the
-/// cost map hold the largest cost of the pixels in them. Columns keep the image's across-track
-/// pixels; those without data cost 0. `back` is the side that looks back, see port_looks_back().
+/// Makes cost maps of both sides from a side-scan image. First each side is levelled to the mean
+/// return of its range, so that range and grazing angle leave no trend. Then the local variation of
+/// the intensity is taken: standard deviation over mean in a window (OpenCV box filters). Facets,
+/// ripples and speckle vary everywhere, so a cost compares the variation with its surroundings (12
+/// m around): 0 is no more than usual, 1 is five times as much. Patches too small for an object are
+/// wiped out. A row of the cost map holds the largest cost of the pixels in it. Columns are the
+/// image's across-track pixels; those without data cost 0. `back` is the side that looks back, see
+/// port_looks_back().
 /// @throws InvalidInput if the image has no pixels or its sizes do not fit.
 [[nodiscard]] AccordionObservation cost_maps(const SideScanImage& image, bool port_looks_back,
                                              const CostMapOptions& options);
 
-/// The middle of the cost maps, from what a multibeam sonar saw in the nadir gap: height above the
-/// bottom's local mean, 0.35 m giving a cost of 1. Larger costs win.
+/// Fills the nadir gap of the cost maps from a multibeam sonar's heights. The cost is the height
+/// above the bottom's local mean; 0.35 m cost 1. Where a map has a larger cost, it stays.
 void fill_nadir(AccordionObservation& observation, const NadirHeights& heights,
                 bool port_looks_back, const CostMapOptions& options);
 
-/// The cost map of one side before rows are gathered: rows x columns as the image.
+/// The cost map of one side before pixels are gathered into rows: the size of the image.
 [[nodiscard]] std::vector<float> pixel_costs(const SideScanImage& image, bool port,
                                              const CostMapOptions& options);
 

@@ -113,7 +113,7 @@ double detection(const DetectionCurve& curve, double range_m) {
 std::optional<double> admissible_range_m(const DetectionCurve& curve, double threshold) {
   check(curve, "P(y) curve");
   if (!(threshold > 0.0 && threshold < 1.0)) {
-    throw UsageError(fmt::format("threshold = {}; must lie in (0, 1)", threshold));
+    throw UsageError("threshold", fmt::format("{}", threshold), "must lie in (0, 1)");
   }
   const auto peak = std::max_element(curve.p.begin(), curve.p.end());
   if (*peak < threshold) return std::nullopt;
@@ -139,7 +139,7 @@ DetectionCurve estimated_curve(const DetectionCounts& c) {
     throw InvalidInput("no range bin holds a trial; nothing can be estimated from this track");
   }
   curve.p = unimodal(rate, weight);
-  // Without this a sonar that stops at a bin's edge would seem to stop at its centre.
+  // Without this, a sonar that reaches to a bin's edge would seem to reach only to its centre.
   const auto found = [](double p) { return p > 0.0; };
   const auto last = std::find_if(curve.p.rbegin(), curve.p.rend(), found);
   if (last == curve.p.rend()) return curve;

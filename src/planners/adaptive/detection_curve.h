@@ -7,8 +7,8 @@
 
 namespace swathplan {
 
-/// P(y): probability that a target is detected, over lateral range. Straight lines between the
-/// points, 0 outside them (no data).
+/// P(y): the probability that a target at lateral range y is detected. It is linear between the
+/// points, and 0 outside them (no data).
 struct DetectionCurve {
   std::vector<double> range_m;  ///< ascending, >= 0
   std::vector<double> p;        ///< same size, each in [0, 1]
@@ -20,19 +20,21 @@ void check(const DetectionCurve& curve, const std::string& what);
 [[nodiscard]] double detection(const DetectionCurve& curve, double range_m);
 
 /// The range up to which data is good: the far end of the stretch around the curve's peak where P
-/// is at least `threshold`. Empty if the peak itself lies below it.
-/// Throws as check; UsageError if the threshold lies outside (0, 1).
+/// is at least `threshold`. Empty if the peak lies below the threshold.
+/// @throws InvalidInput as check(), UsageError if the threshold lies outside (0, 1).
 [[nodiscard]] std::optional<double> admissible_range_m(const DetectionCurve& curve,
                                                        double threshold);
 
-/// How often targets were there and were found, per range bin of one track, both sides together.
+/// Trials and detections of one track per range bin, both sides together: how many targets were
+/// there, and how many were found.
 struct DetectionCounts {
   double first_m = 0.0, step_m = 5.0;  ///< bin i spans first + i step to first + (i + 1) step
   std::vector<std::int64_t> trials, detections;
 };
-/// Estimates the curve from counts: detections / trials made unimodal (rising to one peak, falling
-/// after it; least squares, weighted by the trials), at the bins' centres, the outermost bins with
-/// a detection drawn on to their outer edges. Bins without trials are left out.
+/// Estimates the curve from counts. Its points are detections / trials at the bins' centres,
+/// changed as little as possible (least squares, weighted by the trials) so that the curve rises to
+/// one peak and falls after it. The outermost bins with a detection reach to their outer edges.
+/// Bins without trials are left out.
 /// @throws InvalidInput for lists of different lengths, negative counts, more detections than
 /// trials, a step that is not positive, or no trial at all.
 [[nodiscard]] DetectionCurve estimated_curve(const DetectionCounts& counts);

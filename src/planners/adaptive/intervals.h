@@ -10,8 +10,8 @@ struct Interval {
   bool operator==(const Interval&) const = default;
 };
 
-/// A union of stretches, kept sorted and apart from each other. Stretches that touch within a
-/// micrometre are one: they come from sums of the same few lengths.
+/// A union of stretches, kept sorted and apart from each other. Stretches less than a micrometre
+/// apart become one, since their ends are rounded sums of the same few lengths.
 class IntervalSet {
  public:
   /// Adds a stretch; an empty or reversed one changes nothing. O(log n + stretches swallowed).

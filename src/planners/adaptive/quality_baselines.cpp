@@ -91,7 +91,8 @@ Level expand(const Level& level, const std::vector<Option>& options, int count) 
   return next;
 }
 
-// Frontiers whose coverage lies inside that of another one of their level lead nowhere better.
+// Drops each frontier whose coverage lies inside that of another frontier of its level: it cannot
+// lead to fewer tracks.
 void drop_dominated(Level& level) {
   std::vector<Frontier> kept;
   for (auto at = level.rbegin(); at != level.rend(); ++at) {
@@ -163,7 +164,7 @@ QualitySurveyState sail_preplanned(const QualitySurveyOptions& o, const TrueQual
 std::vector<SurveyTrack> fewest_tracks(const QualitySurveyOptions& o, const TrueQuality& truth) {
   check(o);
   const int count = swath_count(o);
-  // A track that closes the first gap with its near side reaches so far beyond it.
+  // A track that covers the first gap with its near side reaches this far beyond the gap.
   if (std::lround(2.0 * o.range_max_m / o.swath_m) >= kWindow) {
     throw UsageError(
         fmt::format("swath = {} m; the exact optimum needs twice the largest range "

@@ -6,29 +6,30 @@
 
 namespace swathplan {
 
-/// How the sonar really does, range bin by range bin: 1 where data is good.
+/// The sonar's true performance per range bin: 1 where data is good.
 struct TrueQuality {
   std::vector<char> port, starboard;
 };
-/// Good data from the nominal smallest range to `port_m` and `starboard_m`; 0: a dead side.
+/// Good data from the nominal smallest range out to `port_m` and `starboard_m`; with 0 a side is
+/// dead.
 [[nodiscard]] TrueQuality true_quality(const QualitySurveyOptions& options, double port_m,
                                        double starboard_m);
-/// What a track would then observe: correlation 1 where good, 0 elsewhere.
+/// What a track observes of such a sonar: correlation 1 where data is good, 0 elsewhere.
 [[nodiscard]] QualityObservation observe_world(const TrueQuality& truth);
 
 /// Sails the adaptive survey to its end.
 [[nodiscard]] QualitySurveyState sail(const QualitySurveyOptions& options,
                                       const TrueQuality& truth);
 
-/// Paired tracks for the nominal range: range_max - range_min apart within a pair, pairs
-/// 3 range_max - range_min apart, as if all data were good; the last may be a single one.
-/// Returned with what really was covered. Its tracks may lie outside the area.
+/// Sails paired tracks that are planned for the nominal range, as if all data were good. The tracks
+/// of a pair lie range_max - range_min apart, and pairs 3 range_max - range_min apart. The last
+/// track may be a single one. Tracks may lie outside the area. Returns what was really covered.
 [[nodiscard]] QualitySurveyState sail_preplanned(const QualitySurveyOptions& options,
                                                  const TrueQuality& truth);
 
-/// Fewest tracks that cover everything when the truth is known: exact, by dynamic programming over
+/// The fewest tracks that cover everything when the truth is known. Exact: dynamic programming over
 /// the first uncovered swath and what is covered beyond it. Tracks lie on the swath edges inside
-/// the area, in order of the swath that they close. A track may run either way.
+/// the area, in the order of the first swath that each covers. A track may run either way.
 /// Empty if no set of tracks covers all.
 [[nodiscard]] std::vector<SurveyTrack> fewest_tracks(const QualitySurveyOptions& options,
                                                      const TrueQuality& truth);

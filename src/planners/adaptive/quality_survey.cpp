@@ -20,10 +20,9 @@ constexpr std::array<std::pair<GapConstraint, std::string_view>, 3> kNames{{
     {GapConstraint::strong, "strong"},
 }};
 
-// Rates are ratios of small integers: closer than this they are equal.
+// Rates are ratios of small integers, so rates closer than this are equal.
 constexpr double kSameRate = 1e-9;
-// A survey that has had this many tracks per swath without an end will not find one: the sonar
-// gives no good data where it is needed.
+// A survey ends after this many tracks per swath: the sonar gives no good data where it is needed.
 constexpr std::size_t kTracksPerSwath = 2;
 
 double required_probability(GapConstraint constraint) {

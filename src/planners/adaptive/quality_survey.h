@@ -9,10 +9,10 @@
 
 namespace swathplan {
 
-/// Which tracks may be chosen next, by their probability of covering the first swath that is still
-/// uncovered.
+/// Which tracks may be chosen next. The rule looks at a track's probability of covering the first
+/// swath that is still uncovered.
 enum class GapConstraint {
-  none,   ///< any with a benefit
+  none,   ///< any probability; the track must have a benefit
   mild,   ///< above 0
   strong  ///< above 0.5
 };
@@ -27,7 +27,7 @@ struct QualitySurveyOptions {
   double range_min_m = 40.0;  ///< nominal limits of the sonar; multiples of swath_m
   double range_max_m = 150.0;
   double quality = 2.0 / 3.0;  ///< peak correlation from which data is good, (0, 1)
-  double cost_weight = 0.02;   ///< of the transit cost against swaths gained, >= 0
+  double cost_weight = 0.02;   ///< weight of the transit cost against swaths gained, >= 0
   double turn_width_m = 60.0;  ///< twice the turning radius: the spacing that costs nothing, > 0
   GapConstraint constraint = GapConstraint::strong;
   bool port_looks_back = true;  ///< on outbound tracks
@@ -37,13 +37,13 @@ void check(const QualitySurveyOptions& options);
 /// Number of ranges per side.
 [[nodiscard]] int range_bins(const QualitySurveyOptions& options);
 
-/// Peak correlation of successive pings, averaged over the track, per range bin from range_min_m
-/// outwards, in [-1, 1].
+/// What a track observes: the peak correlation of successive pings, averaged over the track, for
+/// each range bin from range_min_m outwards, in [-1, 1].
 struct QualityObservation {
   std::vector<double> port, starboard;
 };
 
-/// Plain data; starts as start_survey(options).
+/// The state of a survey; plain data. It begins as start_survey(options).
 struct QualitySurveyState {
   QualitySurveyOptions options;
   std::vector<SurveyTrack> sailed;
@@ -60,11 +60,11 @@ struct QualitySurveyState {
 /// Share of swaths covered, [0, 1].
 [[nodiscard]] double covered_share(const QualitySurveyState& state);
 
-/// The track of highest utility benefit - weight x cost among those that the constraint allows, on
-/// the grid of swath edges inside the area; ties go to the one nearest the start edge. Where no
-/// track meets the constraint (before anything is known, or after failures), those with the
-/// highest probability of covering the first uncovered swath compete. Empty when all is covered,
-/// or when nothing that the survey may still do can cover more.
+/// The next track: the one with the highest utility, benefit - weight x cost, among those that the
+/// constraint allows. Tracks lie on the grid of swath edges inside the area. Of equal tracks the
+/// one nearest the start edge is taken. Where no track meets the constraint (before anything is
+/// known, or after failures), those with the highest probability of covering the first uncovered
+/// swath compete. Empty when all is covered, or when no track can cover more.
 [[nodiscard]] std::optional<SurveyTrack> next_track(const QualitySurveyState& state);
 
 /// The state after `track` was sailed.

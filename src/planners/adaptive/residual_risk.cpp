@@ -8,8 +8,8 @@
 #include <opencv2/ml.hpp>
 
 #include "mesh/base/error.h"
+#include "mesh/base/random.h"
 #include "mesh/base/require.h"
-#include "planners/adaptive/adaptive_worlds.h"
 
 namespace swathplan {
 namespace {
@@ -21,7 +21,7 @@ void check(const RiskMapOptions& o) {
   require(o.scatter >= 0.0 && o.scatter < 1.0, "scatter", o.scatter, "in [0, 1)");
 }
 
-// The fit costs seconds with tens of thousands of values; so many quantiles say the same.
+// A fit to tens of thousands of values costs seconds. This many quantiles give the same result.
 constexpr std::size_t kMostSamples = 500;
 
 std::vector<double> quantiles(std::span<const double> values) {
@@ -54,7 +54,7 @@ ResidualRiskMap residual_risk(std::span<const SurveyTrack> tracks, const Detecti
       for (int r = 0; r < map.rows; ++r) {
         const double noisy = o.scatter > 0.0 ? p * (1.0 + o.scatter * numbers.normal()) : p;
         const auto cell = static_cast<std::size_t>(r * map.columns + c);
-        // A look always leaves some chance either way: 1 is kept for cells without data.
+        // A look never gives certainty. The risk 1 is kept for cells without data.
         map.risk[cell] *= 1.0 - std::clamp(noisy, 1e-6, 1.0 - 1e-6);
       }
     }

@@ -9,7 +9,7 @@
 
 namespace swathplan {
 
-/// Probability of having missed a target that lies in a cell: the product over all looks of 1 - P.
+/// The probability that a target in a cell was missed: the product of 1 - P over all looks.
 struct ResidualRiskMap {
   int columns = 0, rows = 0;  ///< across and along the tracks
   double cell_m = 5.0;
@@ -22,13 +22,13 @@ struct RiskMapOptions {
   double scatter = 0.0;  ///< relative standard deviation of P from cell to cell and look to look
   std::uint64_t seed = 1;
 };
-/// What the tracks leave behind over the area [0, width] x [0, length] when the sonar really does
-/// as `truth` says, on both sides. @throws UsageError if an option breaks its rule.
+/// The risk that the tracks leave over the area [0, width] x [0, length]. `truth` is the sonar's
+/// true detection curve on both sides. @throws UsageError if an option breaks its rule.
 [[nodiscard]] ResidualRiskMap residual_risk(std::span<const SurveyTrack> tracks,
                                             const DetectionCurve& truth,
                                             const RiskMapOptions& options);
 
-/// The map without `margin_m` along its border, as far as whole cells go.
+/// The map without the cells that lie wholly within `margin_m` of its border.
 [[nodiscard]] ResidualRiskMap without_border(const ResidualRiskMap& map, double margin_m);
 
 /// Share of cells with no look at all, [0, 1].
@@ -42,8 +42,9 @@ struct RiskMapOptions {
 struct MixtureComponent {
   double mean = 0.0, sigma = 0.0, share = 0.0;
 };
-/// A mixture of `count` Gaussians (expectation maximisation, OpenCV's), ascending by mean, fitted
-/// to at most 500 quantiles of the values and started from them: same values, same fit.
+/// Fits a mixture of `count` Gaussians, ascending by mean, by OpenCV's expectation maximisation.
+/// The fit uses at most 500 quantiles of the values and starts from them, so the same values always
+/// give the same fit.
 /// @throws InvalidInput if there are fewer values than ten per component.
 [[nodiscard]] std::vector<MixtureComponent> fitted_mixture(std::span<const double> values,
                                                            int count);

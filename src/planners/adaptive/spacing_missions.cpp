@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "planners/adaptive/adaptive_worlds.h"
+#include "mesh/base/random.h"
 
 namespace swathplan {
 

@@ -11,8 +11,8 @@ namespace swathplan {
 /// The abstract world of the track-spacing planner: a flat seafloor, one true P(y) curve.
 struct SpacingWorld {
   DetectionCurve truth = example_curve();
-  /// Targets tried per range bin and track when the curve is estimated; 0: the planner is handed
-  /// the true curve.
+  /// Number of targets per range bin and track from which the curve is estimated. 0: the planner
+  /// gets the true curve.
   int trials = 0;
   double bin_m = 5.0;
   double scatter = 0.1;  ///< see RiskMapOptions

@@ -18,8 +18,8 @@ constexpr std::array<std::pair<StartCorner, std::string_view>, 4> kCorners{{
     {StartCorner::north_east, "ne"},
 }};
 
-// Path lengths are sums of few lengths; a tenth of a micrometre is below any of them.
-constexpr double kSamePlace = 1e-7;
+// Path lengths are sums of a few lengths. A tenth of a micrometre is less than any of them.
+constexpr double kNoDistance = 1e-7;
 
 bool starts_east(StartCorner corner) {
   return corner == StartCorner::south_east || corner == StartCorner::north_east;
@@ -92,7 +92,7 @@ double mission_length_m(std::span<const SurveyTrack> tracks, double length_m) {
   bool far_end = false;
   for (const SurveyTrack& track : tracks) {
     const double sideways = track.across_m - across;
-    // A track that starts at the other end than the last one ended at costs the way back.
+    // A track that starts at the end of the box where the last one did not end costs the way back.
     const double lengthways = far_end == track.outbound ? length_m : 0.0;
     sum += std::hypot(sideways, lengthways) + length_m;
     across = track.across_m;
@@ -105,7 +105,7 @@ double length_until_m(std::span<const SurveyTrack> tracks, double length_m, doub
   double sum = 0.0;
   double across = 0.0;
   for (const SurveyTrack& track : tracks) {
-    if (track.across_m >= across_m - kSamePlace) break;
+    if (track.across_m >= across_m - kNoDistance) break;
     sum += std::abs(track.across_m - across) + length_m;
     across = track.across_m;
   }

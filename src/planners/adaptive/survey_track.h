@@ -9,8 +9,8 @@
 
 namespace swathplan {
 
-/// A straight line that an adaptive planner asks for, in the frame of its box: `across_m` metres
-/// from the start corner, sailed along the box's whole length.
+/// A straight line that an adaptive planner asks for, in the frame of its box. It lies `across_m`
+/// metres from the start corner and runs along the box's whole length.
 struct SurveyTrack {
   int number = 0;         ///< from 0, in the order of sailing
   double across_m = 0.0;  ///< may lie outside [0, width] where a planner says so
@@ -18,8 +18,8 @@ struct SurveyTrack {
   bool operator==(const SurveyTrack&) const = default;
 };
 
-/// What every adaptive planner asks of an observation. @throws InvalidInput unless `track` is the
-/// one that is due (empty: the mission is complete); the message names both.
+/// Checks that an observation belongs to the track that is due (empty: the mission is complete).
+/// @throws InvalidInput if `track` is another one; the message names both.
 void check_due(const SurveyTrack& track, const std::optional<SurveyTrack>& due);
 
 /// The corner of the box (seen with `along` up, as north on a map) where the mission starts.
@@ -57,8 +57,8 @@ struct TrackRouteOptions {
 /// Metres of tracks and connectors from the start corner's edge (`across_m` = 0) on; `length_m` is
 /// that of one track. The same as length_m(mission_route(...)) when the first track lies at 0.
 [[nodiscard]] double mission_length_m(std::span<const SurveyTrack> tracks, double length_m);
-/// Metres sailed until the path first reaches `across_m`; where it ends short of it, what is left
-/// is added as if it went on. This is how a spatial period of the accordion is measured.
+/// Metres sailed until the path first reaches `across_m`. Where the path ends short of it, the
+/// missing metres across are added. Spatial periods of the accordion are measured like this.
 [[nodiscard]] double length_until_m(std::span<const SurveyTrack> tracks, double length_m,
                                     double across_m);
 

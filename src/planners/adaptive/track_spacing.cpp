@@ -11,7 +11,7 @@
 namespace swathplan {
 namespace {
 
-constexpr double kTouch = 1e-6;  // widths that differ by a micrometre are the same
+constexpr double kTouching = 1e-6;  // widths that differ by a micrometre are the same
 
 double pair_width_m(double range, double nadir) { return 3.0 * range - nadir; }
 double single_width_m(double range, double nadir) { return range - nadir; }
@@ -29,7 +29,7 @@ void open_pair(TrackSpacingState& state) {
   const double rest = o.width_m - state.edge_m;
   state.in_pair = 0;
   state.spare_m = 0.0;
-  if (rest < kTouch) return;
+  if (rest < kTouching) return;
   state.range_m = o.adapt ? adapted_range_m(rest, state.good_range_m, o.nadir_m) : o.range_m;
   const int count = tracks_needed(rest, state.range_m, o.nadir_m);
   state.single = count == 1;
@@ -85,22 +85,21 @@ void check(const TrackSpacingOptions& o) {
   }
   if (o.width_m < o.nadir_m) {
     throw UsageError(
-        fmt::format("width = {} m; the area is narrower than a track's nadir gap of "
-                    "{} m",
-                    o.width_m, o.nadir_m));
+        "width", fmt::format("{} m", o.width_m),
+        fmt::format("the area is narrower than a track's nadir gap of {} m", o.nadir_m));
   }
   if (!(o.threshold > 0.0 && o.threshold < 1.0)) {
-    throw UsageError(fmt::format("threshold = {}; must lie in (0, 1)", o.threshold));
+    throw UsageError("threshold", fmt::format("{}", o.threshold), "must lie in (0, 1)");
   }
 }
 
 int tracks_needed(double width_m, double range_m, double nadir_m) {
-  if (width_m < kTouch) return 0;
+  if (width_m < kTouching) return 0;
   const double pair = pair_width_m(range_m, nadir_m);
-  const int pairs = static_cast<int>(std::floor(width_m / pair + kTouch));
+  const int pairs = static_cast<int>(std::floor(width_m / pair + kTouching));
   const double rest = width_m - pairs * pair;
-  if (rest < kTouch * pair) return 2 * pairs;
-  return 2 * pairs + (rest <= single_width_m(range_m, nadir_m) + kTouch ? 1 : 2);
+  if (rest < kTouching * pair) return 2 * pairs;
+  return 2 * pairs + (rest <= single_width_m(range_m, nadir_m) + kTouching ? 1 : 2);
 }
 
 double adapted_range_m(double width_m, double largest_m, double nadir_m) {
@@ -114,7 +113,7 @@ double adapted_range_m(double width_m, double largest_m, double nadir_m) {
       best = range;
     }
   };
-  for (int i = 1; smallest + i <= largest_m + kTouch; ++i) consider(smallest + i);
+  for (int i = 1; smallest + i <= largest_m + kTouching; ++i) consider(smallest + i);
   if (largest_m > smallest) consider(largest_m);
   return best;
 }
@@ -129,7 +128,7 @@ TrackSpacingState start_spacing(const TrackSpacingOptions& options) {
 }
 
 std::optional<SurveyTrack> next_track(const TrackSpacingState& state) {
-  if (state.edge_m > state.options.width_m - kTouch) return std::nullopt;
+  if (state.edge_m > state.options.width_m - kTouching) return std::nullopt;
   const int number = static_cast<int>(state.sailed.size());
   const double across = state.in_pair == 0 ? first_of_pair_m(state)
                                            : state.sailed.back().across_m + partner_range_m(state) -

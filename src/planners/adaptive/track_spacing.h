@@ -15,8 +15,8 @@ struct TrackSpacingOptions {
   double nadir_m = 40.0;    ///< r_n: half-width of the blind strip below the sonar, > 0
   double threshold = 0.05;  ///< smallest P(y) of good data, (0, 1)
   bool adapt = true;        ///< false: the control, which keeps `range_m` throughout
-  /// Ours, beyond the paper: a pair's second track is laid by what its first one saw, and spare
-  /// width of the plan goes to the start edge, where the range is known least.
+  /// An addition to the paper. A pair's second track is laid by what its first one saw. Where the
+  /// plan has width to spare, pairs move towards the start edge, where the range is known least.
   bool careful = true;
 };
 /// @throws UsageError if an option breaks its rule, among them range_m >= 3 nadir_m; names it.
@@ -25,11 +25,11 @@ void check(const TrackSpacingOptions& options);
 /// Tracks that cover `width_m` with range r: pairs r - r_n apart cover 3 r - r_n; the last track
 /// may be a single one, which has to cover no more than r - r_n.
 [[nodiscard]] int tracks_needed(double width_m, double range_m, double nadir_m);
-/// Polygon adaptation: the smallest range in [3 r_n, largest], in steps of a metre (and `largest`
-/// itself), that needs the fewest tracks.
+/// Polygon adaptation: of the ranges from 3 r_n to `largest` in steps of a metre (and `largest`
+/// itself), the smallest one that needs the fewest tracks.
 [[nodiscard]] double adapted_range_m(double width_m, double largest_m, double nadir_m);
 
-/// Plain data; starts as start_spacing(options).
+/// The state of a survey; plain data. It begins as start_spacing(options).
 struct TrackSpacingState {
   TrackSpacingOptions options;
   std::vector<SurveyTrack> sailed;
@@ -40,17 +40,17 @@ struct TrackSpacingState {
   double spare_m = 0.0;          ///< how far the pair was moved towards the start
   bool single = false;           ///< the pair is a single last track
   int in_pair = 0;               ///< tracks of the pair that are sailed
-  /// Data was good to less than 3 r_n: paired tracks cannot close their nadir gaps any more; the
-  /// survey goes on at 3 r_n and leaves gaps.
+  /// True once data was good to less than 3 r_n. Paired tracks cannot cover each other's nadir gaps
+  /// then. The survey goes on at 3 r_n and leaves gaps.
   bool range_too_short = false;
 };
 [[nodiscard]] TrackSpacingState start_spacing(const TrackSpacingOptions& options);
 
-/// The next track, which may lie outside the area by up to r; empty when the area is done.
+/// The next track; empty when the area is done. It may lie outside the area by up to r.
 [[nodiscard]] std::optional<SurveyTrack> next_track(const TrackSpacingState& state);
 
-/// The state after `track` was sailed and `curve` estimated from its data. The control looks at
-/// the curve's validity only.
+/// The state after `track` was sailed and `curve` estimated from its data. The control only checks
+/// that the curve is valid.
 /// @throws InvalidInput if that track is not next_track(state), or the curve is not valid.
 [[nodiscard]] TrackSpacingState observe(TrackSpacingState state, const SurveyTrack& track,
                                         const DetectionCurve& curve);

@@ -10,34 +10,35 @@
 
 namespace swathplan {
 
-/// Straight rows whose direction and number differ from block to block.
+/// Straight rows. Their direction and number may differ from block to block.
 struct BlockedRows {
   std::vector<SurveyCurve> lines;
-  StraightCandidate base;  ///< whose swaths and fans they have
+  StraightCandidate base;  ///< the rows have its swaths and fans
   Outcome outcome;         ///< estimated, see LineWorkshop::estimate
 };
 
-/// Lays the rows of a candidate anew in one of its blocks after the other, the largest first: in
-/// its direction and, unless the options give the heading, across it; with one row more and less.
+/// Lays the rows of a candidate anew, block by block, the largest block first. In each block it
+/// tries one row more and one less, in the candidate's direction and across it. If the options give
+/// the heading, only that direction is tried.
 class BlockSearch {
  public:
   BlockSearch(const StraightCandidate& base, int coarse, LineWorkshop& shop);
 
   /// False where rows run to and fro over the whole area: there is nothing to mix.
   [[nodiscard]] bool has_blocks() const { return blocks_.lines.size() > 1; }
-  /// The rows with the most coverage less `price` points for each ideal length that one round
-  /// over the blocks finds. Empty: the base's are as good, or the rows were returned before. What
-  /// was judged for one price is not judged again for the next.
+  /// The best rows that one round over the blocks finds: the most coverage, less `price` points for
+  /// each ideal length. Empty: the base's rows are as good, or the rows were returned before. Rows
+  /// that were judged for one price are not judged again for the next.
   [[nodiscard]] std::optional<BlockedRows> best_for(double price);
 
-  /// Of the rows judged so far whose lengths lie between those of two outcomes, and kApart off
-  /// both, those farthest above the chord from one to the other. Empty: there are none.
+  /// Of the rows judged so far: those between two outcomes that lie farthest above the straight
+  /// line from one to the other. Their length differs by kApart from both. Empty: there are none.
   [[nodiscard]] std::optional<BlockedRows> best_between(const Outcome& shorter,
                                                         const Outcome& longer);
 
   static constexpr double kApart = 0.01;  ///< share of a length
   static constexpr std::size_t kMostBlocks = 6;
-  static constexpr double kLeastShare = 0.04;  ///< of the area, of a block that is laid anew
+  static constexpr double kLeastShare = 0.04;  ///< of the area; smaller blocks are not laid anew
 
  private:
   using Choice = std::vector<std::size_t>;  ///< which of its layouts each block takes
@@ -45,7 +46,7 @@ class BlockSearch {
   void add_layouts(std::size_t block);
   [[nodiscard]] std::vector<SurveyCurve> lines_for(const Choice& choice) const;
   [[nodiscard]] const Outcome& outcome_of(const Choice& choice);
-  /// The rows, unless they were handed out before.
+  /// The rows, unless they were returned before.
   [[nodiscard]] std::optional<BlockedRows> taken(const Choice& choice);
 
   StraightCandidate base_;

@@ -159,7 +159,7 @@ std::vector<SurveyCurve> lines_of_water(const Polygon& water, const SweptGround&
 
 }  // namespace
 
-Plan plan_edge_following(const PlanningGround& ground, const PlanOptions& options) {
+Plan plan_edge_following(const Ground& ground, const PlanOptions& options) {
   check(options);
   LineWorkshop shop(ground, options);
   const std::vector<float>& width = shop.width(kGap);
@@ -178,10 +178,10 @@ Plan plan_edge_following(const PlanningGround& ground, const PlanOptions& option
   }
   if (lines.empty()) {
     throw InvalidInput(
-        "edge-following: no survey line fits into the water of the survey area; check --area, "
-        "--no-go and the vehicle's draft and clearance");
+        "edge-following: no survey line fits into the water of the survey area; check <area>, "
+        "<no go> and the vehicle's draft and clearance");
   }
-  BuiltRoute built = shop.finished(shop.build(lines, width, kAngles));
+  BuiltRoute built = shop.with_smooth_joins(shop.build(lines, width, kAngles));
   plan.route = std::move(built.route);
   plan.notes.insert(plan.notes.end(), built.notes.begin(), built.notes.end());
   return plan;

@@ -17,15 +17,15 @@ constexpr double kFieldSpacings[] = {0.9, 1.0, 1.12, 1.25};
 constexpr double kFieldGap = 1.2;
 constexpr LineAnglesOptions kFieldAngles{
     .overlap_m = 0.5, .widest_share = 1.0, .by_distance = false};
-/// Field lines bend, and the outside of a bend is sounded thinly: with cells under so many pings
-/// straight lines did better wherever it was tried.
+/// Field lines bend, and the outside of a bend is sounded thinly. With fewer pings a cell than
+/// this, straight lines did better in all trials.
 constexpr double kPingsACell = 2.0;
 /// Numbers of lines along a channel, as shares of the swaths across it.
 constexpr double kChannelShares[] = {0.75, 0.85, 0.95, 1.05, 1.2, 1.35};
 /// Finalists along a channel are the best at these multiples of the price of an ideal length.
 constexpr double kChannelPrices[] = {1.0, 0.375, 2.25};
 
-struct Tried {
+struct TriedLines {
   Outcome outcome;
   std::vector<SurveyCurve> lines;
 };
@@ -60,7 +60,7 @@ class CurvedSearch {
   [[nodiscard]] std::vector<JudgedLines> from_walls() {
     // Walls are straight to a tenth of a footprint: quays have steps and bollards.
     const double tolerance = 0.1 * footprint_width_m(shop_.options());
-    std::vector<Tried> tried;
+    std::vector<TriedLines> tried;
     int number = 0;
     for (const FieldWall& wall : long_walls(shop_.ground().survey_area, tolerance, kFieldWalls)) {
       ++number;
@@ -71,11 +71,11 @@ class CurvedSearch {
       }
     }
     const double price = shop_.price();
-    std::stable_sort(tried.begin(), tried.end(), [&](const Tried& a, const Tried& b) {
+    std::stable_sort(tried.begin(), tried.end(), [&](const TriedLines& a, const TriedLines& b) {
       return worth(a.outcome, price) > worth(b.outcome, price);
     });
     if (tried.size() > budget_.curved_finalists) tried.resize(budget_.curved_finalists);
-    return finished(tried);
+    return built_and_judged(tried);
   }
 
   /// Lines from end to end between the banks of a channel, or around a ring.
@@ -83,7 +83,7 @@ class CurvedSearch {
     const auto banks = banks_of(shop_.raster(), shop_.ground().survey_area);
     if (!banks) return {};
     const BetweenBanks between = between_banks(shop_.raster(), width_, *banks);
-    std::vector<Tried> tried;
+    std::vector<TriedLines> tried;
     std::vector<std::vector<ChannelSection>> known;
     const auto add_lines = [&](const std::vector<ChannelSection>& sections) {
       if (std::find(known.begin(), known.end(), sections) != known.end()) return;
@@ -99,26 +99,27 @@ class CurvedSearch {
       add_lines({{0.0F, 1.0F, static_cast<int>(even)}});
     }
     std::vector<Outcome> outcomes;
-    for (const Tried& t : tried) outcomes.push_back(t.outcome);
-    std::vector<Tried> best;
+    for (const TriedLines& t : tried) outcomes.push_back(t.outcome);
+    std::vector<TriedLines> best;
     for (const std::size_t i :
          spread(outcomes, pareto_front(outcomes), multiplied(kChannelPrices, shop_.price()),
                 budget_.curved_finalists)) {
       best.push_back(tried[i]);
     }
-    return finished(best);
+    return built_and_judged(best);
   }
 
  private:
-  void add(std::vector<SurveyCurve> lines, const std::string& what, std::vector<Tried>& tried) {
+  void add(std::vector<SurveyCurve> lines, const std::string& what,
+           std::vector<TriedLines>& tried) {
     if (lines.empty()) return;
     Outcome outcome = shop_.estimate(lines, width_, kFieldAngles, budget_.coarse, what);
     tried.push_back({std::move(outcome), std::move(lines)});
   }
 
-  [[nodiscard]] std::vector<JudgedLines> finished(const std::vector<Tried>& tried) {
+  [[nodiscard]] std::vector<JudgedLines> built_and_judged(const std::vector<TriedLines>& tried) {
     std::vector<JudgedLines> plans;
-    for (const Tried& t : tried) {
+    for (const TriedLines& t : tried) {
       plans.push_back({shop_.build(t.lines, width_, kFieldAngles), {}});
       plans.back().outcome = shop_.judge(plans.back().built.route, 1, t.outcome.what);
     }

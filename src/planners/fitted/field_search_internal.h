@@ -6,7 +6,7 @@
 
 namespace swathplan {
 
-/// A plan and what the exact scorer says of it.
+/// A plan and its outcome from the exact scorer.
 struct JudgedLines {
   BuiltRoute built;
   Outcome outcome;

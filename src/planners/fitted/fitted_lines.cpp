@@ -17,7 +17,7 @@
 namespace swathplan {
 namespace {
 
-/// Rays that candidates may cost in all: half a minute of one core.
+/// All candidates together may cost this many rays: half a minute of one core.
 constexpr double kRays = 4e8;
 constexpr int kMostCandidates = 220;
 constexpr int kFewestCandidates = 30;
@@ -34,23 +34,22 @@ constexpr std::size_t kFewFinalists = 3;
 constexpr double kRaysOfHuge = 2e8;
 constexpr int kCoarsest = 4;
 constexpr int kCandidatesOfHuge = 16;
-/// Lines and joins come to about this many times the gap-free lines.
+/// Lines and joins together are about this many times as long as the gap-free lines.
 constexpr double kPathOfLeast = 1.2;
 constexpr double kGapOfLeast = 1.2;
-/// Prices of infill, as shares of W that a metre must bring: dear ones first.
+/// Prices of infill: the share of W that a metre must bring. The highest price comes first.
 constexpr double kInfillGains[] = {0.3, 0.13, 0.07};
 /// Choices differ in length by at least this share.
 constexpr double kBand = 0.001;
-/// Infill is tried on so many plans: the best at these multiples of the price of an ideal length,
-/// in turn.
+/// Infill is tried on this many plans: in turn the best one at each of these multiples of the price
+/// of an ideal length.
 constexpr double kInfillPrices[] = {1.0, 2.25, 3.0, 0.375, 0.6};
 constexpr std::size_t kInfillOn = 5;
 constexpr std::size_t kInfillOnLarge = 2;
 
 constexpr const char* kNoLines =
-    "fitted-lines: no survey line fits into the water of the survey area; check --area, --no-go "
-    "and "
-    "the vehicle's draft and clearance";
+    "fitted-lines: no survey line fits into the water of the survey area; check <area>, <no go> "
+    "and the vehicle's draft and clearance";
 
 /// Rays of a plan of about two ideal lengths.
 double rays_of_plan(const LineWorkshop& shop) {
@@ -104,7 +103,7 @@ std::vector<Outcome> outcomes_of(const std::vector<JudgedLines>& plans) {
   return outcomes;
 }
 
-/// Adds to `plans` what infill makes of the best of them.
+/// Adds infill to the best of `plans`, and appends the results to `plans`.
 void infill_best(std::vector<JudgedLines>& plans, LineWorkshop& shop) {
   const std::vector<Outcome> outcomes = outcomes_of(plans);
   const bool huge = is_huge(shop);
@@ -159,7 +158,7 @@ Plan unseen_plan(LineWorkshop& shop) {
           .value_or(best_azimuth(shop.ground().survey_area, footprint_width_m(shop.options())))
           .deg();
   c.lines = 0;
-  BuiltRoute built = shop.finished(build(c, shop));
+  BuiltRoute built = shop.with_smooth_joins(build(c, shop));
   Plan plan;
   plan.route = std::move(built.route);
   plan.notes = std::move(built.notes);
@@ -168,7 +167,7 @@ Plan unseen_plan(LineWorkshop& shop) {
 
 }  // namespace
 
-Plan plan_fitted_lines(const PlanningGround& ground, const PlanOptions& options) {
+Plan plan_fitted_lines(const Ground& ground, const PlanOptions& options) {
   check(options);
   LineWorkshop shop(ground, options);
   if (ground.scene == nullptr) return unseen_plan(shop);
@@ -198,7 +197,7 @@ Plan plan_fitted_lines(const PlanningGround& ground, const PlanOptions& options)
   plan.chosen = picked.index;
   plan.chosen_why = picked.why;
   JudgedLines& best = plans[kept[picked.index]];
-  BuiltRoute built = shop.finished(std::move(best.built));
+  BuiltRoute built = shop.with_smooth_joins(std::move(best.built));
   plan.route = std::move(built.route);
   plan.notes = std::move(built.notes);
   plan.notes.push_back(fmt::format("of {} choices, {} was picked: {}", plan.choices.size(),

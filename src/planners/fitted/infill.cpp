@@ -127,11 +127,10 @@ InfilledRoute with_infill(const Route& route, const CoverageGrid& grid, LineWork
   Itinerary itinerary(stretches(route), shop.joins());
   const std::vector<float>& width = shop.width(1.0);
   EmptyGround empty(grid, shop, options.least_gain * median_width(width), options.smallest_m2);
-  const Connector connector(shop.ground().water,
-                            {.radius_m = shop.options().vehicle.turn_radius_m});
-  // A pass that the boat cannot turn onto or away from is none.
+  // A pass is no use if the boat cannot turn onto it or away from it.
   const auto detour = [&](const InfillPass& pass) {
-    if (!connector.has_room({pass.from, pass.to})) return std::numeric_limits<double>::infinity();
+    if (!shop.connector().has_room({pass.from, pass.to}))
+      return std::numeric_limits<double>::infinity();
     return std::max(0.0, itinerary.cheapest(pass).cost);
   };
   InfilledRoute result;
@@ -158,7 +157,7 @@ InfilledRoute with_infill(const Route& route, const CoverageGrid& grid, LineWork
   return result;
 }
 
-InfilledRoute infilled(const Route& route, const PlanningGround& ground, const PlanOptions& options,
+InfilledRoute infilled(const Route& route, const Ground& ground, const PlanOptions& options,
                        double enough_pct, int rounds) {
   LineWorkshop shop(ground, options);
   InfilledRoute result;
@@ -171,7 +170,7 @@ InfilledRoute infilled(const Route& route, const PlanningGround& ground, const P
     more.passes += result.passes;
     result = std::move(more);
   }
-  if (result.passes > 0) result.built = shop.finished(std::move(result.built));
+  if (result.passes > 0) result.built = shop.with_smooth_joins(std::move(result.built));
   return result;
 }
 

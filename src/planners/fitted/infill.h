@@ -8,26 +8,26 @@ struct InfillOptions {
   /// A pass must bring this much new cover per metre of added path, as a share of the median W.
   double least_gain = 0.06;
   int most_passes = 200;
-  double smallest_m2 = 0.0;  ///< gaps smaller than this ask for no pass
+  double smallest_m2 = 0.0;  ///< smaller gaps get no pass
 };
 
-/// A route with extra passes where it left gaps.
+/// A route with extra passes over its gaps.
 struct InfilledRoute {
   BuiltRoute built;
   std::size_t passes = 0;
 };
 
-/// Looks for straight passes in kInfillHeadings headings, each a run along which a swath of the
-/// local W sweeps the most empty cells for its metres, and puts them between two lines where the
-/// detour is least; the order of the route stays. One by one, the one that brings most first, until
-/// none is worth it or has room for the turns onto it and away from it. Works on any route; its
-/// joins are kept but where a pass goes in between. `grid`: what the route covers, as score() gives
-/// it. Nothing worth it: the route itself.
+/// Adds straight passes over the gaps of any route. Passes are searched in kInfillHeadings
+/// headings, where a swath of the local W sweeps the most empty cells for its metres. Each pass
+/// goes between two lines where the detour is least; the order of the lines stays. The pass that
+/// brings most comes first. The search ends when no pass is worth it, or none has room for the
+/// turns onto it and away from it. Joins stay, except where a pass goes in between. `grid`: what
+/// the route covers, as score() gives it. Nothing worth it: the route itself.
 [[nodiscard]] InfilledRoute with_infill(const Route& route, const CoverageGrid& grid,
                                         LineWorkshop& shop, const InfillOptions& options = {});
-/// The same for a route from anywhere: scores it, adds passes, scores again, up to `rounds` times,
-/// until none pays or the coverage is `enough_pct`. `ground` needs its scene.
-[[nodiscard]] InfilledRoute infilled(const Route& route, const PlanningGround& ground,
+/// The same for a route that was not scored yet. It is scored, gets passes and is scored again, up
+/// to `rounds` times, until no pass pays or the coverage is `enough_pct`. `ground` needs its scene.
+[[nodiscard]] InfilledRoute infilled(const Route& route, const Ground& ground,
                                      const PlanOptions& options, double enough_pct = 100.0,
                                      int rounds = 3);
 inline constexpr int kInfillHeadings = 12;

@@ -123,7 +123,7 @@ InfillPass EmptyGround::best_on(const Heading& h, std::size_t row) const {
       first = c + 1;
     } else if (worth > best_worth) {
       best_worth = worth;
-      // From centre to centre: those are known to be water.
+      // From centre to centre, since the centres are known to lie in water.
       best = {at(static_cast<double>(first) + 0.5), at(static_cast<double>(c) + 0.5), gain};
     }
   }
@@ -152,8 +152,8 @@ void EmptyGround::sweep(const InfillPass& pass) {
 
 std::optional<InfillPass> EmptyGround::take_best(
     const std::function<double(const InfillPass&)>& detour) {
-  // What a row can bring only shrinks, so the first one that keeps its place is the best. Rows are
-  // looked at in the order of their bounds; one that brings nothing is dropped.
+  // Rows are taken in the order of their bounds, and a bound only shrinks. So the first row that
+  // keeps its place is the best. A row that brings nothing is dropped.
   const auto less = [](const Row& a, const Row& b) {
     if (a.bound != b.bound) return a.bound < b.bound;
     return a.heading != b.heading ? a.heading > b.heading : a.row > b.row;
@@ -167,10 +167,10 @@ std::optional<InfillPass> EmptyGround::take_best(
     const double length = (pass.to - pass.from).norm();
     double worth = pass.gain_m2 - least_gain_ * length;
     if (!(length > 0.0) || worth <= 0.0) continue;
-    // What is narrower than a bin hides between two centres.
+    // Land narrower than a bin may lie between two centres.
     if (shop_.lines_in().inside_length(pass.from, pass.to) < length - kDust) continue;
     if (!rows_.empty() && worth < rows_.front().bound) {
-      // Not the best even if it cost no detour, which is dear to look up.
+      // Even without a detour it is not the best. The detour is slow to compute.
       row.bound = worth;
       rows_.push_back(row);
       std::push_heap(rows_.begin(), rows_.end(), less);

@@ -14,15 +14,15 @@ struct InfillPass {
   double gain_m2 = 0.0;  ///< empty cells in its swath
 };
 
-/// Empty ground, and which straight pass would sweep the most of it.
+/// Finds the straight pass that sweeps the most empty ground.
 class EmptyGround {
  public:
   /// `least_gain_m` square metres of new cover per metre make a pass worth sailing.
   EmptyGround(const CoverageGrid& grid, LineWorkshop& shop, double least_gain_m,
               double smallest_m2);
 
-  /// The pass with the most worth: its gain less least_gain_m x (its length + `detour`). What it
-  /// sweeps is then taken as covered. Empty: none is worth anything.
+  /// The pass with the most worth: its gain, less least_gain_m x (its length + `detour`). From then
+  /// on its swath counts as covered. Empty: no pass is worth anything.
   [[nodiscard]] std::optional<InfillPass> take_best(
       const std::function<double(const InfillPass&)>& detour);
 

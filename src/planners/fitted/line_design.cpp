@@ -15,9 +15,13 @@
 #include "planners/fronts/level_lines.h"
 #include "planners/rows/line_order.h"
 #include "planners/rows/survey_lines.h"
+#include "planners/steering/water_path.h"
 
 namespace swathplan {
 namespace {
+
+/// Shortest line, metres.
+constexpr double kLeastLineM = 1.0;
 
 /// Candidates run on so far beyond the area, as a share of W, before what brings nothing is cut.
 constexpr double kRunOn = 0.5;
@@ -29,18 +33,18 @@ constexpr double kFrontStepDeg = 15.0;
 constexpr double kIsobaths[] = {0.02, 0.2, 0.5, 0.8};
 /// A missed square metre costs about this many times what a swept one does: passes overlap.
 constexpr double kMissedPrice = 1.5;
-/// So many of the best fronts are tried with each spacing.
+/// Number of the best fronts that are tried with each spacing.
 constexpr std::size_t kBestFronts = 4;
 constexpr double kSpacings[] = {1.0, 0.99, 0.98};
 constexpr int kFieldSmoothing = 10;
 constexpr double kHeadingStepDeg = 15.0;
 constexpr std::size_t kBestHeadings = 3;
-/// Of W along a row, that its spacing follows.
+/// Percentile of the W along a row; the row's spacing follows it.
 constexpr double kPercentiles[] = {0.0, 0.03, 0.1};
-/// Numbers of rows are looked for up to so many times what W asks for.
+/// The largest number of rows tried is this many times the number that W asks for.
 constexpr int kMostRows = 4;
 constexpr double kEdgeMargins[] = {0.0, 0.03, 0.06, 0.1, 0.15, 0.2};
-/// So many of the best candidates are laid anew for the judge.
+/// Number of the best candidates that are laid anew for the judge.
 constexpr std::size_t kFinalists = 2;
 /// What is left free for the finer look at the end, of the share that may be missed.
 constexpr double kReserve = 0.1;
@@ -64,8 +68,7 @@ struct Candidate {
 
 class Designer {
  public:
-  Designer(const PlanningGround& planning, const SweptGround& ground,
-           const LineDesignOptions& options)
+  Designer(const Ground& planning, const SweptGround& ground, const LineDesignOptions& options)
       : planning_(planning),
         ground_(ground),
         options_(options),
@@ -84,19 +87,20 @@ class Designer {
         [&](const Candidate& a, const Candidate& b) { return better(a.figures, b.figures); });
     DesignedLines best;
     for (std::size_t k = 0; k < std::min(kFinalists, candidates_.size()); ++k) {
-      DesignedLines laid = finished(candidates_[k].recipe, judge);
+      DesignedLines laid = laid_out(candidates_[k].recipe, judge);
       if (best.lines.empty() || better(laid.figures, best.figures)) best = std::move(laid);
     }
     if (best.lines.empty()) {
       throw InvalidInput(
-          "lines: no survey line fits into the water of the survey area; check --area and --no-go");
+          "lines: no survey line fits into the water of the survey area; check <area> and <no go>");
     }
     return best;
   }
 
  private:
-  /// Lines carried on, swept, cut back to what brings something, and their gaps closed.
-  [[nodiscard]] DesignedLines finished(const Recipe& recipe, const SweptGround& ground) const {
+  /// Lays out the lines of a recipe. They are carried on, swept and cut back to what brings
+  /// something; then their gaps are closed.
+  [[nodiscard]] DesignedLines laid_out(const Recipe& recipe, const SweptGround& ground) const {
     std::vector<SurveyCurve> lines;
     for (const SurveyCurve& curve : recipe.lay(ground)) {
       for (const SurveyCurve& piece : cut_to(curve, lines_in_)) {
@@ -114,12 +118,26 @@ class Designer {
       trim_ends(result.lines, ground, 0.0);
       result.passes = std::min(result.passes, result.lines.size());
     }
+    drop_scraps(result);
     result.figures = judge_lines(result.lines, ground);
     return result;
   }
 
+  /// Drops the short pieces that islands and ragged edges leave of lines: they are not worth a
+  /// turn.
+  static void drop_scraps(DesignedLines& lines) {
+    std::erase_if(lines.lines, [](const SweptLine& line) {
+      double metres = 0.0;
+      for (std::size_t i = 0; i + 1 < line.points.size() && metres < kLeastLineM; ++i) {
+        metres += (line.points[i + 1] - line.points[i]).norm();
+      }
+      return metres < kLeastLineM;
+    });
+    lines.passes = std::min(lines.passes, lines.lines.size());
+  }
+
   [[nodiscard]] bool enough(const LinesFigures& f) const { return f.missed <= allowed_; }
-  [[nodiscard]] bool enough(const Recipe& r) const { return enough(finished(r, ground_).figures); }
+  [[nodiscard]] bool enough(const Recipe& r) const { return enough(laid_out(r, ground_).figures); }
 
   [[nodiscard]] bool better(const LinesFigures& a, const LinesFigures& b) const {
     if (enough(a) != enough(b)) return enough(a);
@@ -127,7 +145,7 @@ class Designer {
   }
 
   void offer(Recipe recipe) {
-    DesignedLines d = finished(recipe, ground_);
+    DesignedLines d = laid_out(recipe, ground_);
     if (!d.lines.empty()) candidates_.push_back({std::move(recipe), d.figures});
   }
 
@@ -315,7 +333,7 @@ class Designer {
     const std::vector<Source> sources = fronts();
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < sources.size(); ++i) {
-      const LinesFigures f = finished(along(sources[i], 1.0, false), ground_).figures;
+      const LinesFigures f = laid_out(along(sources[i], 1.0, false), ground_).figures;
       if (f.lines > 0) order.emplace_back(f.ratio() + kMissedPrice * f.missed, i);
     }
     std::stable_sort(order.begin(), order.end(),
@@ -343,7 +361,7 @@ class Designer {
     }
   }
 
-  const PlanningGround& planning_;
+  const Ground& planning_;
   const SweptGround& ground_;
   const LineDesignOptions& options_;
   AreaQuery lines_in_, area_;
@@ -355,26 +373,77 @@ class Designer {
 
 void check(const LineDesignOptions& o) {
   if (!(o.overlap >= 0.0 && o.overlap <= 0.4)) {
-    throw UsageError(
-        fmt::format("--overlap {:g}; must lie in [0, 40] per cent", 100.0 * o.overlap));
+    throw UsageError("overlap", fmt::format("{:g}", 100.0 * o.overlap),
+                     "must lie in [0, 40] per cent");
   }
   if (!(o.most_missed > 0.0 && o.most_missed < 1.0)) {
-    throw UsageError(fmt::format("--missed {:g}; must be above 0 and under 100 per cent",
-                                 100.0 * o.most_missed));
+    throw UsageError("missed", fmt::format("{:g}", 100.0 * o.most_missed),
+                     "must be above 0 and under 100 per cent");
   }
 }
 
-DesignGround::DesignGround(const PlanningGround& planning, Angle opening, double draft_m,
-                           double most_cells)
+DesignGround::DesignGround(const Ground& planning, Angle opening, double draft_m, double most_cells)
     : raster(planning, most_cells),
       width(opening_width(raster, opening, draft_m)),
       swaths(raster, width, draft_m) {}
 
-DesignedLines design_lines(const PlanningGround& planning, const DesignGround& search,
+DesignedLines design_lines(const Ground& planning, const DesignGround& search,
                            const DesignGround& judge, const LineDesignOptions& options) {
   check(options);
   return Designer(planning, search.swaths, options).run(judge.swaths);
 }
+
+namespace {
+
+/// A line and the way to the next one; the waypoints of a transit hold its sailing.
+class LineRoute {
+ public:
+  LineRoute(const Area& water, Angle opening, const Vehicle& vehicle)
+      : ways_(water), opening_(opening), vehicle_(vehicle) {}
+
+  void add(const std::vector<Vec2>& points) {
+    if (!route_.waypoints.empty()) lead_to(points.front());
+    Waypoint point;
+    point.line = ++number_;
+    point.fan = FanAngles{opening_ / 2.0, opening_ / 2.0};
+    point.speed_mps = vehicle_.speed_mps;
+    for (const Vec2& p : points) {
+      point.position = p;
+      route_.waypoints.push_back(point);
+    }
+    Waypoint& last = route_.waypoints.back();
+    last.kind = LegKind::transit;
+    last.log = false;
+    last.line.reset();
+    last.fan.reset();
+    last.speed_mps = vehicle_.transit_speed_mps;
+  }
+
+  [[nodiscard]] Route finish() {
+    if (!route_.waypoints.empty()) route_.waypoints.back().kind = LegKind::end;
+    return std::move(route_);
+  }
+
+ private:
+  /// Around land and no-go where a straight would cross them; marked where no way leads there.
+  void lead_to(const Vec2& next) {
+    const auto way = ways_.find(route_.waypoints.back().position, next);
+    route_.waypoints.back().feasible = way.has_value();
+    for (std::size_t i = 1; way && i + 1 < way->size(); ++i) {
+      Waypoint corner = route_.waypoints.back();
+      corner.position = (*way)[i];
+      route_.waypoints.push_back(corner);
+    }
+  }
+
+  WaterPath ways_;
+  Angle opening_;
+  const Vehicle& vehicle_;
+  Route route_;
+  int number_ = 0;
+};
+
+}  // namespace
 
 Route route_of(const DesignedLines& designed, const Area& water, Angle opening,
                const Vehicle& vehicle) {
@@ -384,29 +453,14 @@ Route route_of(const DesignedLines& designed, const Area& water, Angle opening,
     ends.push_back({p.front(), p.back(), (p[1] - p[0]).normalized(),
                     (p[p.size() - 1] - p[p.size() - 2]).normalized()});
   }
-  Route route;
-  int number = 0;
+  LineRoute route(water, opening, vehicle);
   for (const OrderedLine& next :
        line_order(ends, JoinCost(water, vehicle.turn_radius_m), std::nullopt)) {
     std::vector<Vec2> points = designed.lines[next.line].points;
     if (next.backwards) std::reverse(points.begin(), points.end());
-    Waypoint point;
-    point.line = ++number;
-    point.fan = FanAngles{opening / 2.0, opening / 2.0};
-    point.speed_mps = vehicle.speed_mps;
-    for (const Vec2& p : points) {
-      point.position = p;
-      route.waypoints.push_back(point);
-    }
-    Waypoint& last = route.waypoints.back();
-    last.kind = LegKind::transit;
-    last.log = false;
-    last.line.reset();
-    last.fan.reset();
-    last.speed_mps = vehicle.transit_speed_mps;
+    route.add(points);
   }
-  if (!route.waypoints.empty()) route.waypoints.back().kind = LegKind::end;
-  return route;
+  return route.finish();
 }
 
 }  // namespace swathplan

@@ -17,15 +17,15 @@ enum class LineMethod {
 
 struct LineDesignOptions {
   LineMethod method = LineMethod::automatic;
-  double overlap = 0.0;       ///< of its swath that a line shares with its neighbour, [0, 0.4]
-  double most_missed = 5e-4;  ///< share of the area, (0, 1)
+  double overlap = 0.0;               ///< share of a swath that overlaps the next one, [0, 0.4]
+  double most_missed = 5e-4;          ///< share of the area, (0, 1)
   std::optional<Angle> heading = {};  ///< of straight lines; empty: searched
 };
 
-/// A seafloor at one fineness, as lines of one opening see it.
+/// A seafloor with cells of one size, and the swaths of one opening angle over it.
 struct DesignGround {
   /// `opening`: full fan, (0, 180) degrees; the sonar hangs at `draft_m`.
-  DesignGround(const PlanningGround& planning, Angle opening, double draft_m, double most_cells);
+  DesignGround(const Ground& planning, Angle opening, double draft_m, double most_cells);
   DesignGround(const DesignGround&) = delete;
   DesignGround& operator=(const DesignGround&) = delete;
 
@@ -41,23 +41,23 @@ void check(const LineDesignOptions& options);
 struct DesignedLines {
   std::vector<SweptLine> lines;
   LinesFigures figures;
-  std::size_t passes = 0;  ///< of the lines, short ones that close gaps
-  std::string what;        ///< how the lines came about
+  std::size_t passes = 0;  ///< how many of the lines are short ones that close gaps
+  std::string what;        ///< how the lines were made, for people
 };
 
-/// The shortest lines found that miss no more than `most_missed` of the survey area, turns left
-/// out: for open water, where turns are few. Swaths are followed without rays; candidates are
-/// compared on `search`, the best are laid anew and judged on `judge`, whose cells are smaller.
-/// Lines may run on into the water beyond the survey area where that sweeps more of it.
-/// Where no lines of the method miss so little: those that miss least.
+/// The shortest lines found that miss no more than `most_missed` of the survey area. Turns do not
+/// count, so it is for open water, where turns are few. Swaths are estimated without rays.
+/// Candidates are compared on `search`. The best ones are laid anew and judged on `judge`, whose
+/// cells are smaller. Lines may run on beyond the survey area, where that sweeps more of it. If the
+/// method finds no lines that miss so little, those that miss least are returned.
 /// @throws UsageError for options out of range; InvalidInput where no line fits.
-[[nodiscard]] DesignedLines design_lines(const PlanningGround& planning, const DesignGround& search,
+[[nodiscard]] DesignedLines design_lines(const Ground& planning, const DesignGround& search,
                                          const DesignGround& judge,
                                          const LineDesignOptions& options);
 
-/// The lines in an order that keeps the way between them short (line_order.h), joined by straight
-/// transits with the sonar off: for charts and for planners that steer. Not steered, not kept off
-/// land.
+/// The lines in an order that keeps the way between them short (line_order.h), joined by transits
+/// with the sonar off: straight, or around what is no safe water (water_path.h); marked infeasible
+/// where no way leads from one line to the next. Not steered: corners are sharp.
 [[nodiscard]] Route route_of(const DesignedLines& designed, const Area& water, Angle opening,
                              const Vehicle& vehicle);
 

@@ -7,14 +7,15 @@
 
 namespace swathplan {
 
-LineWorkshop::LineWorkshop(const PlanningGround& ground, const PlanOptions& options)
+LineWorkshop::LineWorkshop(const Ground& ground, const PlanOptions& options)
     : ground_(ground),
       options_(options),
       with_arcs_(options),
       raster_(ground),
       survey_area_(ground.survey_area),
       lines_in_(offset(ground.water, -kLineClearance)),
-      joins_(ground.water, options.vehicle.turn_radius_m) {
+      joins_(ground.water, options.vehicle.turn_radius_m),
+      connector_(connector_for(ground, options)) {
   with_arcs_.smooth.reset();
 }
 
@@ -43,7 +44,7 @@ LineEnds ends_of(const std::vector<Waypoint>& line) {
 std::vector<Waypoint> backwards(const std::vector<Waypoint>& line) {
   std::vector<Waypoint> result(line.rbegin(), line.rend());
   for (std::size_t i = 0; i < result.size(); ++i) {
-    // What held from waypoint k to k + 1 now holds from k + 1 to k.
+    // The properties of the segment from k to k + 1 now hold from k + 1 to k.
     const std::size_t from = i + 1 < result.size() ? i + 1 : i;
     const Vec2 position = result[i].position;
     result[i] = line[line.size() - 1 - from];
@@ -80,15 +81,21 @@ Outcome LineWorkshop::estimate(const std::vector<SurveyCurve>& lines,
                                const std::vector<float>& width, const LineAnglesOptions& angles,
                                int coarse, std::string what) {
   Route route;
-  double joins = 0.0;
+  const Vehicle& vehicle = options_.vehicle;
+  double joins = 0.0;          // metres of the joins beyond the straight ways that are scored
+  double joins_seconds = 0.0;  // ... and seconds
   for (const auto& line : sailed(lines, width, angles)) {
     auto& w = route.waypoints;
     const LineEnds here = ends_of(line);
     if (!w.empty()) {
       const Vec2 course = (w.back().position - w[w.size() - 2].position).normalized();
-      joins += joins_(w.back().position, course, here.from, here.course_from);
+      const double join = joins_(w.back().position, course, here.from, here.course_from);
       const double straight = (here.from - w.back().position).norm();
+      joins += join;
       joins -= straight;
+      const bool turn = straight <= turn_reach_m(options_);
+      joins_seconds += join / (turn ? vehicle.turn_speed_mps : vehicle.transit_speed_mps);
+      joins_seconds -= straight / w.back().speed_mps;
       w.back().kind = LegKind::transit;
       // A way that runs straight sounds about what the steered one will; what runs around something
       // sounds elsewhere.
@@ -105,18 +112,19 @@ Outcome LineWorkshop::estimate(const std::vector<SurveyCurve>& lines,
   Outcome outcome = judge(route, coarse, std::move(what));
   outcome.length_ratio *= (outcome.length_m + joins) / outcome.length_m;
   outcome.length_m += joins;
+  outcome.duration_s += joins_seconds;
   return outcome;
 }
 
 BuiltRoute LineWorkshop::join(const std::vector<std::vector<Waypoint>>& lines) const {
-  RouteBuilder builder(ground_, with_arcs_);
+  RouteBuilder builder(ground_, with_arcs_, connector_);
   for (const auto& line : lines) builder.add_line(line);
   return builder.built();
 }
 
-BuiltRoute LineWorkshop::finished(BuiltRoute built) const {
+BuiltRoute LineWorkshop::with_smooth_joins(BuiltRoute built) const {
   if (!options_.smooth) return built;
-  BuiltRoute smooth = rejoined(built.route, ground_, options_);
+  BuiltRoute smooth = rejoined(built.route, ground_, options_, connector_);
   built.route = std::move(smooth.route);
   for (std::string& note : smooth.notes) {
     const bool known = std::find(built.notes.begin(), built.notes.end(), note) != built.notes.end();
@@ -126,8 +134,6 @@ BuiltRoute LineWorkshop::finished(BuiltRoute built) const {
 }
 
 ScoredRoute LineWorkshop::score(const Route& route, int coarse, Swath swath) const {
-  const ScoringGround scoring{ground_.seafloor, ground_.depths, ground_.scene, ground_.survey_area,
-                              ground_.water};
   ScoreOptions how;
   how.resolution_m = coarse * options_.resolution_m;
   how.ping_spacing_m = coarse * options_.ping_spacing_m;
@@ -140,7 +146,7 @@ ScoredRoute LineWorkshop::score(const Route& route, int coarse, Swath swath) con
   sonar.beams = std::max(2, sonar.beams / coarse);
   sonar.beam_width_along = Angle::radians(coarse * sonar.beam_width_along.rad());
   sonar.beam_width_across = Angle::radians(coarse * sonar.beam_width_across.rad());
-  return swathplan::score(route, scoring, sonar, options_.vehicle, how);
+  return swathplan::score(route, ground_, sonar, options_.vehicle, how);
 }
 
 double LineWorkshop::cover_pct(const Score& score) const {

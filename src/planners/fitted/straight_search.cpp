@@ -15,11 +15,11 @@ namespace swathplan {
 namespace {
 
 constexpr double kDirectionStepDeg = 15.0;
-/// Numbers of lines that are tried first, as shares of what W asks for.
+/// Numbers of lines that are tried first, as shares of the number that W asks for.
 constexpr double kLineShares[] = {1.0, 0.85, 0.7, 1.15};
 /// Directions that ask for this many times the fewest lines' metres are left out.
 constexpr double kLongest = 1.3;
-/// Plans under this coverage are of no use to anybody, %.
+/// Plans under this coverage are of no use, %.
 constexpr double kUseless = 70.0;
 
 std::vector<double> directions(const LineWorkshop& shop) {
@@ -38,10 +38,11 @@ constexpr double kApart = 0.01;
 /// Finalists are the best at these multiples of the price of an ideal length: all-round, short,
 /// dense.
 constexpr double kFinalistPrices[] = {1.0, 2.25, 0.375};
-/// Blocks are compared on cells coarser than candidates' by this: ranks stay, for half the work.
+/// Blocks are compared on cells coarser than those of candidates by this factor. The order of plans
+/// stays the same, for half the work.
 constexpr int kBlockCoarser = 1;
-/// Between plans whose lengths differ by this factor another is looked for.
-constexpr double kGap = 1.03;
+/// Another plan is searched between two plans whose lengths differ by this factor.
+constexpr double kStraightGap = 1.03;
 
 std::vector<Outcome> outcomes_of(const std::vector<JudgedCandidate>& judged) {
   std::vector<Outcome> outcomes;
@@ -276,7 +277,7 @@ class Search {
     for (std::size_t k = 0; k + 1 < order.size(); ++k) {
       const Outcome& shorter = ends[order[k]];
       const Outcome& longer = ends[order[k + 1]];
-      if (longer.length_ratio < kGap * shorter.length_ratio) continue;
+      if (longer.length_ratio < kStraightGap * shorter.length_ratio) continue;
       add(search.best_between(shorter, longer));
     }
   }

@@ -12,9 +12,10 @@ namespace swathplan {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::infinity();
-/// A hole with less than this share of the outer shore's length makes no ring of a water.
+/// A hole makes a ring of the water only if its shore has at least this share of the outer shore's
+/// length.
 constexpr double kLeastInner = 0.3;
-/// The outline runs so many cells from the cells of the area at most.
+/// The outline runs at most this many cells off the cells of the area.
 constexpr int kRimCells = 2;
 
 SurveyCurve closed(const Ring& ring) {
@@ -79,13 +80,13 @@ std::vector<Stretch> stretches(const std::vector<End>& ends) {
   return list;
 }
 
-/// A bank runs on around an end until it has turned by this.
+/// A bank runs on around an end until its direction has changed by this.
 constexpr double kCosOfEnd = 0.7;
 /// The chord that a bank's direction is taken from, as a share of the water's width.
 constexpr double kChordOfWidth = 0.2;
 
-/// The stretch as a curve, run on at both of its ends; directions are those of chords of so many
-/// points, so that the steps of a raster's outline do not count.
+/// The stretch as a curve that runs on at both of its ends. Directions are those of chords over
+/// this many points, so that the steps of a raster's outline do not count.
 SurveyCurve run_on(const std::vector<Vec2>& shore, const Stretch& stretch, std::size_t chord) {
   const std::size_t size = shore.size();
   const auto at = [&](std::size_t i) -> const Vec2& { return shore[i % size]; };
@@ -161,12 +162,14 @@ std::optional<Banks> banks_of_ring(const WaterRaster& raster, const Polygon& wat
 
 /// Stations along a channel that its swaths are counted at.
 constexpr std::size_t kStations = 24;
-/// What a change of the number of lines costs, in lines a station: turns and a seam.
+/// The cost of a change in the number of lines, in lines at one station: it brings turns and a
+/// seam.
 constexpr double kChange = 1.5;
-/// A line too few leaves a gap as wide as a swath, a line too many costs its metres.
+/// One line too few leaves a gap as wide as a swath. One line too many only costs its metres.
 constexpr double kTooFew = 3.0;
 
-/// Lines that each station asks for, on average over its cells; of empty ones as before them.
+/// The number of lines that each station asks for: the mean over its cells. A station without cells
+/// takes the number of the one before it.
 std::vector<double> wanted_lines(const Banks& banks, const BetweenBanks& between, double density) {
   std::vector<double> sum(kStations, 0.0);
   std::vector<std::size_t> cells(kStations, 0);
@@ -184,7 +187,7 @@ std::vector<double> wanted_lines(const Banks& banks, const BetweenBanks& between
   return sum;
 }
 
-/// Whole numbers near those wanted, with few changes: dynamic programming over the stations.
+/// Whole numbers near the wanted ones, with few changes. Dynamic programming over the stations.
 std::vector<int> steady_lines(const std::vector<double>& wanted) {
   const double largest = *std::max_element(wanted.begin(), wanted.end());
   const auto most = static_cast<std::size_t>(std::max(1.0, std::ceil(largest)));

@@ -8,25 +8,25 @@
 
 namespace swathplan {
 
-/// The long shores of an elongated water: of a channel the two between its ends, of a ring the
-/// outer one and the inner one.
+/// The two long shores of an elongated water. A channel has one on either side, from end to end. A
+/// ring has an outer and an inner one.
 struct Banks {
   SurveyCurve one, other;
   std::vector<float>
       along;  ///< of each cell: 0 at one end of a channel, 1 at the other; empty: a ring
 };
 
-/// Empty where the largest water holds less than kMostOfArea of the area, or is not kElongated
-/// times as long as it is wide on average. Ends are the two places with the longest way through
-/// the water between them; banks stop kEndOfWidth widths short of that length, or run on as far as
-/// they are straight, so that the end of a channel cut off square is none.
+/// Finds the banks. Empty where the largest water holds less than kMostOfArea of the area, or is
+/// not kElongated times as long as its mean width. The ends of a channel are the two places with
+/// the longest way through the water between them. Banks stop kEndOfWidth widths short of the ends,
+/// or run on as far as they are straight. So the square end of a channel does not become a bank.
 [[nodiscard]] std::optional<Banks> banks_of(const WaterRaster& raster, const Area& area);
 
 inline constexpr double kMostOfArea = 0.9;
 inline constexpr double kElongated = 4.0;
 inline constexpr double kEndOfWidth = 1.0;
 
-/// Where each cell lies between the banks; infinite outside.
+/// Where each cell lies between the banks. Values are infinite outside the area.
 struct BetweenBanks {
   std::vector<float> share;   ///< 0 at one bank, 1 at the other, measured in swaths
   std::vector<float> swaths;  ///< from bank to bank
@@ -41,13 +41,14 @@ struct ChannelSection {
   int lines = 1;
   bool operator==(const ChannelSection&) const = default;
 };
-/// Few sections, each with about `density` lines a swath that lies across it.
+/// Divides a channel into few sections. Each has about `density` lines for each swath that fits
+/// across it.
 [[nodiscard]] std::vector<ChannelSection> sections_of(const Banks& banks,
                                                       const BetweenBanks& between, double density);
 
-/// In each section the level sets of the share at (k + 1/2)/lines: they run from end to end, closer
-/// where the water is narrow. Where they would lie closer than kCrowded swaths, only the middle one
-/// goes on. Sections of a ring hold all of it.
+/// Survey lines that run along the banks: in each section the level sets of the share at
+/// (k + 1/2)/lines. They lie closer where the water is narrow. Where they would lie closer than
+/// kCrowded swaths, only the middle one goes on. A section of a ring is the whole ring.
 [[nodiscard]] std::vector<SurveyCurve> lines_between(const WaterRaster& raster, const Banks& banks,
                                                      const BetweenBanks& between,
                                                      const std::vector<ChannelSection>& sections,

@@ -1,17 +1,17 @@
 #include "planners/fronts/closing_passes.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "mesh/base/parallel.h"
 
 namespace swathplan {
 namespace {
 
 constexpr int kHeadings = 12;
 constexpr int kRounds = 6;
-/// Gaps that passes are looked for in one round, the largest ones.
+/// Number of gaps that get a pass in one round; the largest gaps come first.
 constexpr std::size_t kGaps = 60;
 /// Turning into a pass and out of it costs about this share of W.
 constexpr double kTurnShare = 0.25;
@@ -19,8 +19,8 @@ constexpr double kTurnShare = 0.25;
 constexpr double kShortestPass = 0.1;
 /// Lengths that are tried, as shares of the gap's extent.
 constexpr double kLengths[] = {1.0, 0.75, 0.5, 0.25};
-/// A pass chosen earlier in the round may have swept some of the gap; less than this share of what
-/// the pass promised: another round will see to it.
+/// A pass chosen earlier in the round may have swept a part of the gap. A pass that now brings less
+/// than this share of its first gain is left to the next round.
 constexpr double kStillWorth = 0.7;
 
 using Cells = std::vector<std::uint32_t>;
@@ -131,7 +131,7 @@ std::size_t add_closing_passes(std::vector<SweptLine>& lines, const SweptGround&
   for (int round = 0; round<kRounds&& static_cast<double>(missed)> allowed; ++round) {
     const std::vector<Cells> gaps = gaps_of(is_swept, raster);
     std::vector<Pass> passes(gaps.size());
-    tbb::parallel_for(std::size_t{0}, gaps.size(), [&](std::size_t k) {
+    for_each_index(std::size_t{0}, gaps.size(), [&](std::size_t k) {
       passes[k] = best_pass(gaps[k], ground, lines_in, is_swept);
     });
     std::stable_sort(passes.begin(), passes.end(),

@@ -5,11 +5,10 @@
 
 namespace swathplan {
 
-/// Adds short straight passes over what lines leave unswept, in `lines_in`, until no more than the
-/// share `most_missed` of the area is missed: those first that sweep most for their metres and
-/// their turns. A pass runs across the short way of a gap, since its swath is wide. Gaps of which
-/// no pass brings at least kLeastPassGain are left.
-/// Returns how many were added.
+/// Adds short straight passes over gaps between lines, until no more than the share `most_missed`
+/// of the area is missed. Passes run in `lines_in`. Those that sweep most for their metres and
+/// their turns come first. A pass runs the short way across a gap, since its swath is wide. A gap
+/// stays if no pass over it brings at least kLeastPassGain. Returns how many were added.
 std::size_t add_closing_passes(std::vector<SweptLine>& lines, const SweptGround& ground,
                                const AreaQuery& lines_in, double most_missed);
 

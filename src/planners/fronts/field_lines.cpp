@@ -5,16 +5,11 @@
 #include <limits>
 #include <unordered_map>
 
+#include "mesh/plane/segments.h"
 #include "planners/fronts/level_lines.h"
 
 namespace swathplan {
 namespace {
-
-double distance_to(const FieldWall& wall, const Vec2& p) {
-  const Vec2 along = wall.to - wall.from;
-  const double t = std::clamp((p - wall.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (wall.from + t * along - p).norm();
-}
 
 std::vector<FrontCell> front_of(const WaterRaster& raster, const std::vector<float>& width,
                                 const FieldWall& wall, double tolerance_m) {
@@ -24,7 +19,7 @@ std::vector<FrontCell> front_of(const WaterRaster& raster, const std::vector<flo
     if (!raster.in_area(i)) continue;
     const bool rim = !raster.in_area(i - 1) || !raster.in_area(i + 1) ||
                      !raster.in_area(i - raster.columns()) || !raster.in_area(i + raster.columns());
-    if (!rim || distance_to(wall, raster.centre(i)) > reach) continue;
+    if (!rim || distance_to_segment(wall.from, wall.to, raster.centre(i)) > reach) continue;
     // The outline runs half a cell before the centres.
     cells.push_back({i, 0.5 * raster.cell_m() / static_cast<double>(width[i]), 0});
   }

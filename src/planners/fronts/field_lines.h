@@ -22,10 +22,10 @@ struct FieldLinesOptions {
   int smooth_passes = 60;  ///< of a binomial filter over points kCurveStep apart
 };
 
-/// Survey lines along the level sets u = (k + 1/2) spacing of |grad u| = 1/W, u = 0 on the wall:
-/// spacing follows the depth, and their length is about the area's integral of 1/W, which no plan
-/// without gaps beats (coarea formula). Smoothed and cut by `pieces_of`.
-/// `tolerance_m`: cells of the outline this near to the wall start the front.
+/// Survey lines along the level sets u = (k + 1/2) spacing, where |grad u| = 1/W and u = 0 on the
+/// wall. Their spacing follows the depth. Their length is about the area's integral of 1/W, and no
+/// plan without gaps is shorter (coarea formula). Lines are smoothed, then cut by `pieces_of`.
+/// `tolerance_m`: the front starts from cells of the outline this near to the wall.
 [[nodiscard]] std::vector<SurveyCurve> field_lines(const WaterRaster& raster,
                                                    const std::vector<float>& width,
                                                    const AreaQuery& lines_in, const FieldWall& wall,
@@ -37,14 +37,14 @@ struct FieldLinesOptions {
                                                  const std::vector<float>& width,
                                                  const std::vector<SurveyCurve>& curves);
 
-/// The level sets u = first + k spacing, k = 0, 1, ..., with points `step_m` apart, smoothed by so
-/// many binomial passes. As they come: not cut to any area.
+/// The level sets u = first + k spacing, k = 0, 1, ..., with points `step_m` apart. They are
+/// smoothed by `smooth_passes` passes of a binomial filter, and not cut to any area.
 [[nodiscard]] std::vector<SurveyCurve> front_lines(const WaterRaster& raster, const Front& front,
                                                    double first, double spacing, double step_m,
                                                    int smooth_passes);
 
-/// What of smooth curves with points kCurveStep apart lies in `lines_in`, with points each
-/// kFieldStep; pieces shorter than kShortestField of their swath are left out.
+/// The pieces of smooth curves inside `lines_in`. Points of the curves are kCurveStep apart, those
+/// of the pieces kFieldStep. Pieces shorter than kShortestField of their swath are left out.
 [[nodiscard]] std::vector<SurveyCurve> pieces_of(const std::vector<SurveyCurve>& curves,
                                                  const WaterRaster& raster,
                                                  const std::vector<float>& width,
@@ -53,7 +53,8 @@ struct FieldLinesOptions {
 /// Integral of 1/W over the area: the least metres of line for gap-free coverage.
 [[nodiscard]] double least_line_m(const WaterRaster& raster, const std::vector<float>& width);
 
-/// Chords longer than this make the course jump in bends, and the outside of a bend goes unseen.
+/// With chords longer than this the course jumps in bends, and the outside of a bend is not
+/// sounded.
 inline constexpr double kFieldStep = 0.2;
 // NOLINTNEXTLINE(bugprone-incorrect-roundings): lround is not constexpr
 inline constexpr int kFieldParts = static_cast<int>(kCurveStep / kFieldStep + 0.5);

@@ -8,7 +8,8 @@
 namespace swathplan {
 namespace {
 
-/// A point of the line: on the edge from a cell to its eastern (even) or northern (odd) neighbour.
+/// Names a point of a line by the edge that it lies on: from a cell to its eastern neighbour (even)
+/// or its northern one (odd).
 using EdgeKey = std::uint64_t;
 
 class Chains {
@@ -20,7 +21,7 @@ class Chains {
 
   std::vector<SurveyCurve> curves() {
     std::vector<SurveyCurve> result;
-    // Open chains from their ends first, then what is left is closed.
+    // Open chains come first, from one of their ends. The chains that are left are closed.
     for (const bool open : {true, false}) {
       for (const EdgeKey key : order_) {
         const Node& node = nodes_.at(key);
@@ -74,7 +75,7 @@ class Chains {
   }
 
   std::unordered_map<EdgeKey, Node> nodes_;
-  std::vector<EdgeKey> order_;  // of appearance, so that the result is one
+  std::vector<EdgeKey> order_;  // of appearance, so that the result is always the same
 };
 
 }  // namespace

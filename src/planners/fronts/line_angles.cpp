@@ -1,33 +1,34 @@
 #include "planners/fronts/line_angles.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
+#include "mesh/base/parallel.h"
+
 namespace swathplan {
 namespace {
 
-/// Sides are looked along in steps of this share of a cell.
+/// Sides are searched in steps of this share of a cell.
 constexpr double kStepOfCell = 0.5;
 /// Cells are claimed from points this close along a line.
 constexpr double kClaimStepOfCell = 0.7;
-/// A point counts as hidden where it stands under this share of the steepest tangent before it:
-/// less than 1, since depths on a raster are rough.
+/// A point is hidden if its tangent is less than this share of the largest tangent before it. The
+/// share is below 1, since depths on a raster are rough.
 constexpr double kHidden = 0.97;
-/// So many steps before and after are joined: boundaries on a raster are jagged.
+/// The angle of a step follows this many steps before and after it, since boundaries on a raster
+/// are jagged.
 constexpr std::ptrdiff_t kJoin = 2;
 constexpr double kJump = 1.25;
 /// Less water than this below the sonar counts as this, metres.
 constexpr double kLeastBelow = 0.05;
-/// A side may end so far past the edge, metres: cells at the edge keep their beam.
+/// A side may end this far past the edge, metres, so that cells at the edge keep their beam.
 constexpr double kPastEdge = 0.02;
 
-/// Which line sees a cell from the fewest of its swaths away. Cost and line share a word, so that
-/// the least of both wins in whatever order threads come by.
+/// The line that sees each cell from the fewest of its swaths away. The cost and the line share one
+/// word, so the smallest pair wins, and the order of the threads does not matter.
 class Owners {
  public:
   explicit Owners(std::size_t cells) : words_(cells) {
@@ -81,15 +82,15 @@ class SideReach {
       const auto i = raster_.cell_at(p + y * side);
       if (!i || !raster_.in_area(*i)) continue;
       const double here = y / std::max(raster_.depth(*i) - options_.vehicle.draft_m, kLeastBelow);
-      // What the ground nearer by hides is some other line's.
+      // Nearer ground hides the point, so it belongs to another line.
       if (here < kHidden * tangent) continue;
       tangent = std::max(tangent, here);
       f(*i, y, y / w);
     }
   }
 
-  /// Tangent of the half-angle that sees all points up to the farthest one that no other line sees
-  /// from nearer, and the overlap at that point's depth: what stands up behind it is another's.
+  /// Tangent of the half-angle that sees all points up to the farthest one of this line, and the
+  /// overlap at that point's depth. What rises behind that point belongs to another line.
   [[nodiscard]] double tangent(const Step& s, bool port, std::uint32_t line,
                                const Owners& owners) const {
     const Vec2 side = port ? Vec2(-s.starboard) : s.starboard;
@@ -147,7 +148,7 @@ class SideReach {
   const LineAnglesOptions& how_;
 };
 
-/// The widest of the steps around, but for jumps: those are walls.
+/// The widest of the steps around. Steps beyond a jump are left out: the jump is a wall.
 std::vector<double> joined(const std::vector<double>& tangents) {
   std::vector<double> result(tangents);
   const auto n = static_cast<std::ptrdiff_t>(tangents.size());
@@ -182,15 +183,15 @@ std::vector<std::vector<Waypoint>> opened_lines(const std::vector<SurveyCurve>& 
                                                 const LineAnglesOptions& how, int first_number) {
   const SideReach sides(raster, width, survey_area, options, how);
   Owners owners(raster.size());
-  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t k) {
-    // Closer steps than the fans', so that no cell between two of them is passed over.
+  for_each_index(std::size_t{0}, lines.size(), [&](std::size_t k) {
+    // Steps closer than those of the fans, so that no cell between two fans is missed.
     const auto dense = resampled(lines[k], kClaimStepOfCell * raster.cell_m());
     for (const Step& s : steps_of(dense.points)) {
       sides.claim(s, static_cast<std::uint32_t>(k), owners);
     }
   });
   std::vector<std::vector<Waypoint>> result(lines.size());
-  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t k) {
+  for_each_index(std::size_t{0}, lines.size(), [&](std::size_t k) {
     const auto& points = lines[k].points;
     if (points.size() < 2) return;
     const std::vector<Step> steps = steps_of(points);

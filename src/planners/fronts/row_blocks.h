@@ -9,8 +9,8 @@
 
 namespace swathplan {
 
-/// Parts of the survey area in which the rows of one direction can be sailed to and fro: basins,
-/// and what lies between them.
+/// Parts of the survey area (basins, and the water between them) in which the rows of one direction
+/// can be sailed to and fro.
 struct RowBlocks {
   static constexpr std::int32_t kNone = -1;
   std::vector<std::vector<std::size_t>> lines;  ///< of each block, in the order of its rows
@@ -18,9 +18,9 @@ struct RowBlocks {
   std::vector<std::size_t> cells;               ///< of each block
 };
 
-/// Neighbouring rows of straight `lines` at `azimuth` that overlap one to one belong to one block;
-/// where a row parts or rows meet, a new one begins. A cell belongs to the block of the nearest
-/// line of the nearest row. O(cells x lines of a row).
+/// Divides straight `lines` at `azimuth` into blocks. Lines of neighbouring rows that overlap one
+/// to one belong to one block. Where a line splits into two, or two lines meet, a new block begins.
+/// A cell belongs to the block of the nearest line of the nearest row. O(cells x lines of a row).
 [[nodiscard]] RowBlocks row_blocks(const std::vector<SurveyCurve>& lines, Angle azimuth,
                                    const WaterRaster& raster);
 

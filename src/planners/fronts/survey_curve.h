@@ -7,7 +7,8 @@
 
 namespace swathplan {
 
-/// A survey line of any shape, sailed either way: points no farther apart than kCurveStep.
+/// A survey line of any shape, which may be sailed either way. Its points lie no farther apart than
+/// kCurveStep.
 struct SurveyCurve {
   std::vector<Vec2> points;
 };
@@ -16,14 +17,14 @@ struct SurveyCurve {
 inline constexpr double kCurveStep = 1.0;
 
 [[nodiscard]] double length_m(const SurveyCurve& curve);
-/// The same curve with points each `step_m` or a little less, ends kept.
+/// The same curve with points `step_m` or a little less apart. Both ends stay.
 [[nodiscard]] SurveyCurve resampled(const SurveyCurve& curve, double step_m);
 /// The straight curve from a to b.
 [[nodiscard]] SurveyCurve straight_curve(const Vec2& a, const Vec2& b);
 
-/// The curve after so many passes of a binomial filter over its points; ends kept.
+/// The curve after `passes` passes of a binomial filter over its points. Both ends stay.
 [[nodiscard]] SurveyCurve smoothed(SurveyCurve curve, int passes);
-/// Catmull-Rom through the points, in `parts` chords between two of them.
+/// A Catmull-Rom spline through the points, with `parts` chords between two of them.
 [[nodiscard]] SurveyCurve splined(const SurveyCurve& curve, int parts);
 /// The maximal parts of the curve inside the area.
 [[nodiscard]] std::vector<SurveyCurve> cut_to(const SurveyCurve& curve, const AreaQuery& area);

@@ -1,21 +1,20 @@
 #include "planners/fronts/swept_lines.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <queue>
 
+#include "mesh/base/parallel.h"
 #include "planners/fronts/field_lines.h"
 
 namespace swathplan {
 namespace {
 
 /// Less water than this below the sonar counts as this, metres.
-constexpr double kLeastBelow = 0.05;
-/// A beam that has not met the floor after so many half swaths never will: the slope falls away
-/// faster than the beam.
+constexpr double kLeastWaterBelow = 0.05;
+/// A beam that has not met the floor after this many half swaths never will, since the slope is
+/// steeper than the beam.
 constexpr double kFarthest = 8.0;
 /// Cell centres this near to the rim of a swath count as swept, metres: rounding.
 constexpr double kOnRim = 1e-6;
@@ -107,7 +106,7 @@ SweptGround::SweptGround(const WaterRaster& raster, const std::vector<float>& wi
   for (std::size_t i = 0; i < raster.size(); ++i) {
     if (!raster.in_area(i)) continue;
     known[i] = 1;
-    const double below = std::max(raster.depth(i) - draft_m, kLeastBelow);
+    const double below = std::max(raster.depth(i) - draft_m, kLeastWaterBelow);
     below_[i] = static_cast<float>(below);
     tangent_[i] = static_cast<float>(0.5 * static_cast<double>(width[i]) / below);
   }
@@ -155,7 +154,7 @@ std::vector<float> opening_width(const WaterRaster& raster, Angle opening, doubl
   const double share = 2.0 * std::tan(0.5 * opening.rad());
   for (std::size_t i = 0; i < raster.size(); ++i) {
     if (!raster.in_area(i)) continue;
-    widths[i] = static_cast<float>(share * std::max(raster.depth(i) - draft_m, kLeastBelow));
+    widths[i] = static_cast<float>(share * std::max(raster.depth(i) - draft_m, kLeastWaterBelow));
   }
   return widths;
 }
@@ -181,8 +180,8 @@ SweptLine swept(const SurveyCurve& line, const SweptGround& ground) {
 
 std::vector<SweptLine> swept(const std::vector<SurveyCurve>& lines, const SweptGround& ground) {
   std::vector<SweptLine> result(lines.size());
-  tbb::parallel_for(std::size_t{0}, lines.size(),
-                    [&](std::size_t k) { result[k] = swept(lines[k], ground); });
+  for_each_index(std::size_t{0}, lines.size(),
+                 [&](std::size_t k) { result[k] = swept(lines[k], ground); });
   std::erase_if(result, [](const SweptLine& line) { return line.steps() == 0; });
   return result;
 }
@@ -244,7 +243,7 @@ class StepCounts {
       for (const std::uint32_t cell : line.cells) ++counts_[cell];
     }
   }
-  /// Takes a step away: how many cells nothing sweeps any more.
+  /// Takes a step away. Returns how many cells no line sweeps any more.
   std::size_t take(const SweptLine& line, std::size_t step) {
     std::size_t lost = 0;
     for (std::size_t k = line.first_cell[step]; k < line.first_cell[step + 1]; ++k) {
@@ -282,7 +281,7 @@ SweptLine part(const SweptLine& line, std::size_t begin, std::size_t end) {
   return result;
 }
 
-/// The longest run of steps from one end that is not worth sailing; taken out of `counts`.
+/// The longest run of steps from one end that is not worth sailing. It is taken out of `counts`.
 std::size_t poor_steps(const SweptLine& line, bool from_back, std::size_t begin, std::size_t end,
                        const SweptGround& ground, double gain, StepCounts& counts) {
   const double cell_m2 = ground.raster().cell_m() * ground.raster().cell_m();
@@ -298,7 +297,7 @@ std::size_t poor_steps(const SweptLine& line, bool from_back, std::size_t begin,
     metres += (line.points[step + 1] - line.points[step]).norm();
     ++looked;
     if (lost_m2 <= gain * w * metres) poor = looked;
-    // A whole swath farther on nothing can make up for what is lost by now.
+    // More than a whole swath farther on, nothing can make up for this loss.
     if (lost_m2 > gain * w * (metres + w)) break;
   }
   while (looked > poor) counts.put(line, step_at(--looked));

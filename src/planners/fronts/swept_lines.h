@@ -8,12 +8,12 @@
 
 namespace swathplan {
 
-/// The seafloor as swaths without rays need it: depth below the sonar between cell centres, linear,
-/// and beyond the area that of the nearest cell. The fan at p opens to each side to
-/// atan(W(p)/2 / depth below the sonar), and its outermost beam is followed down to the floor, so
-/// that a swath reaches farther down a slope than up. What a shoal nearer by hides counts as seen:
-/// for smooth floors. `raster` and `width` (as width_field or opening_width give it) must outlive
-/// it.
+/// The seafloor for estimates of swaths without rays. The depth below the sonar is linear between
+/// cell centres; beyond the area it is that of the nearest cell. The fan at p opens to each side to
+/// atan(W(p)/2 / depth below the sonar). Its outermost beam is followed down to the floor, so that
+/// a swath reaches farther down a slope than up. Ground that a nearer shoal hides counts as seen,
+/// so use it for smooth floors only. `raster` and `width` (as width_field or opening_width give it)
+/// must outlive it.
 class SweptGround {
  public:
   SweptGround(const WaterRaster& raster, const std::vector<float>& width, double draft_m);
@@ -47,8 +47,8 @@ class SweptGround {
 struct SweptLine {
   std::vector<Vec2> points;             ///< of the line, about kSweepStepOfCell of a cell apart
   std::vector<Vec2> port, starboard;    ///< where the outermost beams of each point end
-  std::vector<std::uint32_t> cells;     ///< of the area, that step 0 sweeps, then step 1, ...
-  std::vector<std::size_t> first_cell;  ///< of each step in `cells`, and their number
+  std::vector<std::uint32_t> cells;     ///< of the area: those that step 0 sweeps, then step 1, ...
+  std::vector<std::size_t> first_cell;  ///< of each step, an index into `cells`; then their number
   [[nodiscard]] std::size_t steps() const { return points.empty() ? 0 : points.size() - 1; }
 };
 inline constexpr double kSweepStepOfCell = 0.7;
@@ -62,7 +62,7 @@ inline constexpr double kSweepStepOfCell = 0.7;
 [[nodiscard]] SurveyCurve carried_on(SurveyCurve curve, double share, const SweptGround& ground,
                                      const AreaQuery& lines_in);
 
-/// What lines come to, their turns left out.
+/// Figures of a set of lines, without their turns.
 struct LinesFigures {
   std::size_t lines = 0;
   double length_m = 0.0;
@@ -74,9 +74,9 @@ struct LinesFigures {
 [[nodiscard]] LinesFigures judge_lines(const std::vector<SweptLine>& lines,
                                        const SweptGround& ground);
 
-/// Cuts from the ends of lines what brings less than `gain` x W square metres that no other line
-/// sweeps per metre of line; lines of which nothing is left are dropped. `gain` 0: only what brings
-/// nothing at all.
+/// Shortens lines at their ends where a metre of line brings less than `gain` x W square metres
+/// that no other line sweeps. With `gain` 0 only metres that bring nothing are cut. Lines of which
+/// nothing is left are dropped.
 void trim_ends(std::vector<SweptLine>& lines, const SweptGround& ground, double gain);
 
 }  // namespace swathplan

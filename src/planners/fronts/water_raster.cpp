@@ -9,14 +9,14 @@
 namespace swathplan {
 namespace {
 
-/// Cells of no area around the raster.
+/// Width of the frame around the area, cells.
 constexpr double kFrame = 2.0;
 /// A cell of the area is never shoaler than this, metres: zero means 'not in the area'.
 constexpr double kLeastDepth = 1e-3;
 
 }  // namespace
 
-WaterRaster::WaterRaster(const PlanningGround& ground, double most_cells, double finest_m) {
+WaterRaster::WaterRaster(const Ground& ground, double most_cells, double finest_m) {
   const Box2 box = extent(ground.survey_area);
   const Vec2 size = box.size();
   cell_ = std::max(finest_m, std::sqrt(size.x() * size.y() / most_cells));
@@ -99,7 +99,7 @@ double gap_free_width_m(const PlanOptions& options, double depth_m, double gap_m
 }
 
 std::vector<float> width_field(const WaterRaster& raster, const PlanOptions& options, double gap) {
-  // W depends on the depth alone, so a table of it spares a bisection per cell.
+  // W depends on the depth alone, so a table saves one bisection per cell.
   double deepest = 0.0;
   for (std::size_t i = 0; i < raster.size(); ++i) deepest = std::max(deepest, raster.depth(i));
   constexpr std::size_t kEntries = 2048;

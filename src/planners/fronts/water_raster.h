@@ -14,8 +14,7 @@ namespace swathplan {
 class WaterRaster {
  public:
   /// `most_cells` bounds the memory; the cell is no finer than `finest_m`.
-  explicit WaterRaster(const PlanningGround& ground, double most_cells = 4e5,
-                       double finest_m = 0.25);
+  explicit WaterRaster(const Ground& ground, double most_cells = 4e5, double finest_m = 0.25);
 
   [[nodiscard]] std::size_t columns() const { return columns_; }
   [[nodiscard]] std::size_t rows() const { return rows_; }
@@ -29,7 +28,7 @@ class WaterRaster {
   [[nodiscard]] double depth(std::size_t i) const { return depth_[i]; }
   /// Depth at p, of the nearest cell of the area within three cells; empty farther off.
   [[nodiscard]] std::optional<double> depth_near(const Vec2& p) const;
-  /// The same raster with no cells in the area but those that `keep` names, one flag a cell.
+  /// The same raster with only the cells in the area that `keep` names. `keep` has one flag a cell.
   [[nodiscard]] WaterRaster only(const std::vector<char>& keep) const;
 
  private:
@@ -39,9 +38,9 @@ class WaterRaster {
   std::vector<float> depth_;
 };
 
-/// The swath that a vessel over flat ground of `depth_m` sweeps, capped by the sonar's opening and
-/// range; metres. Where hits count, with neighbouring beams no farther apart than `gap_m`;
-/// footprints meet without that.
+/// The width of the swath over flat ground of `depth_m`, capped by the sonar's opening and range,
+/// metres. Where hits count, neighbouring beams lie no farther apart than `gap_m`. Where footprints
+/// count, `gap_m` has no effect, since footprints meet.
 [[nodiscard]] double gap_free_width_m(const PlanOptions& options, double depth_m, double gap_m);
 
 /// W of every cell of the area, metres; 0 outside. `gap` as a multiple of the scoring cell, > 0.

@@ -5,8 +5,8 @@
 
 namespace swathplan {
 
-Plan plan_mdnuc(const PlanningGround& ground, const PlanOptions& options) {
-  return best_mesh_plan(ground, options, [&](PlanarMesh mesh) {
+Plan plan_mdnuc(const Ground& ground, const PlanOptions& options) {
+  return best_mesh_plan(ground, options, [&](PlanarMesh mesh, const Connector& connector) {
     Plan plan;
     plan.mesh = std::move(mesh);
     plan.edges = shared_edges(plan.mesh);
@@ -28,7 +28,7 @@ Plan plan_mdnuc(const PlanningGround& ground, const PlanOptions& options) {
       plan.openings.push_back(fans.back().port + fans.back().starboard);
     }
     plan.route = skeleton_route(nuc_skeleton(plan.mesh, plan.edges, open), plan.regions.region_of,
-                                fans, ground, options, plan.notes, blocked_ends);
+                                fans, ground, options, connector, plan.notes, blocked_ends);
     if (options.opening == Opening::ping) plan.route = opened_per_ping(plan.route, ground, options);
     return plan;
   });

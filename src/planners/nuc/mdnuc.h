@@ -4,12 +4,12 @@
 
 namespace swathplan {
 
-/// Multi-depth NUC: the planning mesh is split into depth regions, all edges between regions but
-/// the gates are blocked, and one NUC path runs through them, each region with one opening angle
-/// from its own mean depth.
+/// Multi-depth NUC. The planning mesh is split into depth regions. All edges between regions are
+/// blocked, except the gates. One NUC path runs through all regions. Each region has one opening
+/// angle from its own mean depth.
 /// Guarantees: those of nuc_skeleton(); each gate is crossed once in and once out.
 /// Method: [larrazabal-mdnuc] section III.B.
 /// @throws UsageError for options out of range or bands that hold no face.
-[[nodiscard]] Plan plan_mdnuc(const PlanningGround& ground, const PlanOptions& options);
+[[nodiscard]] Plan plan_mdnuc(const Ground& ground, const PlanOptions& options);
 
 }  // namespace swathplan

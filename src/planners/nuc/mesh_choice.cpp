@@ -26,8 +26,8 @@ struct Candidate {
   Outcome outcome;
 };
 
-/// The plain lattice first: it stays where nothing is better. A quarter turn of quads is the same
-/// lattice; but the path's long runs then go the other way.
+/// The plain lattice comes first, so that it stays where nothing is better. A quarter turn of quads
+/// gives the same lattice, but the path's long runs then go the other way.
 std::vector<Candidate> candidates(FaceShape faces) {
   std::vector<Candidate> result;
   const auto add = [&](const auto& sizes, const auto& turns_deg) {
@@ -55,17 +55,19 @@ double points_per_ratio(const std::vector<Candidate>& tried) {
 
 }  // namespace
 
-Plan best_mesh_plan(const PlanningGround& ground, const PlanOptions& options,
-                    const std::function<Plan(PlanarMesh)>& plan_on) {
+Plan best_mesh_plan(const Ground& ground, const PlanOptions& options,
+                    const std::function<Plan(PlanarMesh, const Connector&)>& plan_on) {
   PlanarMesh plain = planning_mesh(ground, options);
+  const Connector connector = connector_for(ground, options);
   if (options.face_size || ground.scene == nullptr || plain.faces.size() > kFewFaces) {
-    return plan_on(std::move(plain));
+    return plan_on(std::move(plain), connector);
   }
   const Area area = reachable_area(ground);
   std::vector<Candidate> tried = candidates(options.faces);
   for (Candidate& c : tried) {
     c.plan = plan_on(mesh_of(area, options, c.face_size * footprint_width_m(options),
-                             Angle::degrees(c.turn_deg)));
+                             Angle::degrees(c.turn_deg)),
+                     connector);
     c.outcome = simulated_hits(c.plan.route, ground, options);
   }
   const double price = points_per_ratio(tried);

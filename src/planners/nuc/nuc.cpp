@@ -5,30 +5,29 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "mesh/plane/segments.h"
+#include "mesh/plane/union_find.h"
 #include "planners/nuc/mesh_choice.h"
 #include "planners/nuc/skeleton_smoothing.h"
-#include "planners/rows/route_builder.h"
 
 namespace swathplan {
 namespace {
 
-/// Where on an edge (0 at the corner that both quads touch, 1 at the other) a path may cross it:
-/// inside their half, off the corner and off the midpoint by this much.
+/// A path crosses an edge inside the half that both quads touch. It keeps this share of the edge
+/// off the corner and off the midpoint.
 constexpr double kCrossingMargin = 0.04;
-/// ... and where it is led across when the straight way would miss that half.
+/// Where it crosses instead, if the straight way would miss that half: the share of the edge from
+/// the corner that both quads touch.
 constexpr double kCrossingAt = 0.25;
 
-/// An arc takes this share of the way that it could take. Measured on saddle, shaft and harbour:
-/// smaller arcs leave the outside of corners empty where cells are wide, larger ones cut corners
-/// that pings each cell's width cannot fill again.
+/// An arc takes this share of the way that it could take, as measured on saddle, shaft and harbour.
+/// Smaller arcs leave the outside of corners empty where cells are wide. Larger arcs cut off
+/// corners, which pings a cell's width apart cannot fill.
 constexpr double kCornerShare = 0.3;
 
-/// An arc that goes as far as it may ends this share short, so that rounding keeps it in its face.
+/// The longest arc ends this share short of its limit, so that it stays in its face when rounded.
 constexpr double kInside = 1.0 - 1e-6;
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The facets' corners in one array: the sub-facet at corner k of face f is first[f] + k.
 struct SubFacets {
@@ -72,12 +71,6 @@ struct SubFacets {
     }
   }
 };
-
-/// Root of a set, its path halved on the way.
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t f) {
-  while (parent[f] != f) f = parent[f] = parent[parent[f]];
-  return f;
-}
 
 /// Splices the cycles of the two faces of an edge together: leaves the first face at the corner
 /// where the edge begins, walks the second face's cycle, and returns at the corner where it ends.
@@ -164,7 +157,8 @@ SkeletonCycle walk(const PlanarMesh& mesh, const SubFacets& sub, std::uint32_t s
 
 namespace {
 
-/// What splicing over an edge adds to the path: two links across it for one along each side.
+/// The length that a splice over an edge adds to the path: two links across it instead of one on
+/// each side.
 double splice_cost(const SharedEdge& e, const SubFacets& sub) {
   const auto size = [&](std::uint32_t f) { return sub.first[f + 1] - sub.first[f]; };
   const auto at = [&](int side, std::uint32_t step) {
@@ -176,8 +170,8 @@ double splice_cost(const SharedEdge& e, const SubFacets& sub) {
   return (a0 - b1).norm() + (a1 - b0).norm() - (a0 - a1).norm() - (b0 - b1).norm();
 }
 
-/// Edges by cost in kLevels steps, cheapest first, in their own order within a step: a counting
-/// sort, so that the whole stays linear.
+/// Edges by cost in kLevels steps, cheapest first, in their own order within a step. A counting
+/// sort keeps the cost linear.
 std::vector<std::uint32_t> by_cost(const std::vector<float>& cost, const std::vector<char>& open) {
   constexpr std::size_t kLevels = 4096;
   float low = std::numeric_limits<float>::infinity();
@@ -208,22 +202,17 @@ std::vector<SkeletonCycle> nuc_skeleton(const PlanarMesh& mesh,
   std::vector<float> cost;
   cost.reserve(edges.size());
   for (const SharedEdge& e : edges) cost.push_back(static_cast<float>(splice_cost(e, sub)));
-  std::vector<std::uint32_t> parent(mesh.faces.size());
-  std::iota(parent.begin(), parent.end(), 0U);
+  UnionFind trees(mesh.faces.size());
   for (const std::uint32_t i : by_cost(cost, open)) {
-    const std::uint32_t a = root_of(parent, edges[i].face[0]);
-    const std::uint32_t b = root_of(parent, edges[i].face[1]);
-    if (a == b) continue;
-    parent[std::max(a, b)] = std::min(a, b);
-    splice(edges[i], sub);
+    if (trees.join(edges[i].face[0], edges[i].face[1])) splice(edges[i], sub);
   }
   std::vector<std::uint32_t> sub_facets(mesh.faces.size(), 0);
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-    sub_facets[root_of(parent, f)] += sub.first[f + 1] - sub.first[f];
+    sub_facets[trees.find(f)] += sub.first[f + 1] - sub.first[f];
   }
   std::vector<SkeletonCycle> cycles;
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-    if (parent[f] == f) cycles.push_back(walk(mesh, sub, sub.first[f], sub_facets[f]));
+    if (trees.find(f) == f) cycles.push_back(walk(mesh, sub, sub.first[f], sub_facets[f]));
   }
   return cycles;
 }
@@ -238,7 +227,7 @@ std::vector<SkeletonPoint> rounded(const std::vector<SkeletonPoint>& p, double r
     }
     const Vec2 in = p[i].position - p[i - 1].position;
     const Vec2 out = p[i + 1].position - p[i].position;
-    const double turn = std::atan2(cross(in, out), in.dot(out));
+    const double turn = turn_angle(in, out);
     const double most = kInside * std::min({0.5 * in.norm(), 0.5 * out.norm(), double{p[i].ahead_m},
                                             double{p[i].behind_m}});
     const double reach =
@@ -293,7 +282,7 @@ double nearest(const SkeletonCycle& cycle, const Vec2& p) {
 
 std::vector<SkeletonPoint> path_of(const SkeletonCycle& cycle,
                                    const std::vector<std::pair<Vec2, Vec2>>& blocked,
-                                   const PlanningGround& ground, const PlanOptions& options,
+                                   const Ground& ground, const PlanOptions& options,
                                    SmoothResult& verdict, const FannedCover* cover) {
   if (options.smooth)
     return smoothed(cycle, blocked, ground.water, *options.smooth, verdict, cover);
@@ -313,12 +302,13 @@ std::string verdict_note(const SmoothResult& verdict) {
 
 Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
                      const std::vector<std::uint32_t>& region_of,
-                     const std::vector<FanAngles>& fans, const PlanningGround& ground,
-                     const PlanOptions& options, std::vector<std::string>& notes,
+                     const std::vector<FanAngles>& fans, const Ground& ground,
+                     const PlanOptions& options, const Connector& connector,
+                     std::vector<std::string>& notes,
                      const std::vector<std::pair<Vec2, Vec2>>& blocked) {
   std::vector<SkeletonCycle> left = cycles;
   std::optional<Vec2> at = options.start;
-  RouteBuilder builder(ground, options);
+  RouteBuilder builder(ground, options, connector);
   int line = 1;
   SmoothResult verdict;
   const auto fan_of = [&](std::uint32_t face) {
@@ -363,8 +353,8 @@ Route skeleton_route(const std::vector<SkeletonCycle>& cycles,
   return route;
 }
 
-Plan plan_nuc(const PlanningGround& ground, const PlanOptions& options) {
-  return best_mesh_plan(ground, options, [&](PlanarMesh mesh) {
+Plan plan_nuc(const Ground& ground, const PlanOptions& options) {
+  return best_mesh_plan(ground, options, [&](PlanarMesh mesh, const Connector& connector) {
     Plan plan;
     plan.mesh = std::move(mesh);
     plan.edges = shared_edges(plan.mesh);
@@ -372,8 +362,8 @@ Plan plan_nuc(const PlanningGround& ground, const PlanOptions& options) {
         depth_regions(plan.mesh, plan.edges, *ground.depths, {.bands = {.count = 1, .limits = {}}});
     const FanAngles fan = fan_for_depth(options, mean_depth_m(whole));
     plan.openings = {fan.port + fan.starboard};
-    plan.route =
-        skeleton_route(nuc_skeleton(plan.mesh, plan.edges), {}, {fan}, ground, options, plan.notes);
+    plan.route = skeleton_route(nuc_skeleton(plan.mesh, plan.edges), {}, {fan}, ground, options,
+                                connector, plan.notes);
     if (options.opening == Opening::ping) plan.route = opened_per_ping(plan.route, ground, options);
     return plan;
   });

@@ -17,10 +17,10 @@ double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - (a + t * u)).norm();
 }
 
-/// How far it is from short segments to blocked ones and to the water's edge.
-class Room {
+/// Distances from short segments to the blocked segments and to the water's edge.
+class Clearance {
  public:
-  Room(const std::vector<std::pair<Vec2, Vec2>>& blocked, const Area& water, double reach)
+  Clearance(const std::vector<std::pair<Vec2, Vec2>>& blocked, const Area& water, double reach)
       : blocked_(blocked), water_(water), cell_(4.0 * reach) {
     for (std::size_t i = 0; i < blocked.size(); ++i) {
       const auto& [a, b] = blocked[i];
@@ -32,7 +32,8 @@ class Room {
     }
   }
 
-  /// A lower bound: every point of the segment is within a quarter of it of one looked at.
+  /// A lower bound of the distance. Three points are measured; every point of the segment lies
+  /// within a quarter of its length of one of them.
   double operator()(const Vec2& a, const Vec2& b) const {
     double least = std::numeric_limits<double>::infinity();
     for (const Vec2& p : {a, Vec2(0.5 * (a + b)), b}) {
@@ -59,11 +60,12 @@ class Room {
   std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
 };
 
-/// Arcs between steps of unequal length turn a little tighter than the bound on their chords.
+/// Reserve of the radius: arcs between steps of unequal length turn a little tighter than the bound
+/// on their chords.
 constexpr double kSmoothReserve = 1.05;
-/// A point is moved by so many metres for each square metre a metre that this would fill ...
+/// A point moves by this many metres for each square metre that one metre of it would fill ...
 constexpr double kPullStep = 1.0;
-/// ... and by no more than this at once: passes would swing past each other.
+/// ... but by no more than this at once. With more, passes would swing past each other.
 constexpr double kLongestPullM = 1.0;
 
 std::vector<Vec2> pulled(std::vector<Vec2> points, const ThinCover::Pull& pull) {
@@ -79,12 +81,11 @@ std::vector<Vec2> pulled(std::vector<Vec2> points, const ThinCover::Pull& pull) 
 SmoothOptions smoothing_for(const PlanOptions& options) {
   SmoothOptions smooth;
   smooth.radius_m = kSmoothReserve * options.vehicle.turn_radius_m;
-  smooth.width_m = footprint_width_m(options);
-  smooth.step_m = smooth.width_m / 16.0;
-  smooth.deviation_m = kSmoothReach * smooth.width_m;
+  const double width = footprint_width_m(options);
+  smooth.step_m = width / 16.0;
+  smooth.deviation_m = kSmoothReach * width;
   smooth.curvature_weight = 3.0;
   smooth.deviation_weight = 0.2;
-  smooth.spacing_weight = 0.0;  // the pull of what is empty does it better
   return smooth;
 }
 
@@ -99,8 +100,8 @@ std::vector<SkeletonPoint> smoothed(const SkeletonCycle& cycle,
     line.push_back(p.position);
   }
   SmoothOptions bounded = options;
-  const Room room(blocked, water, options.deviation_m + options.step_m);
-  bounded.room = [&](const Vec2& a, const Vec2& b) { return room(a, b); };
+  const Clearance clearance(blocked, water, options.deviation_m + options.step_m);
+  bounded.room = [&](const Vec2& a, const Vec2& b) { return clearance(a, b); };
   const auto source = [&](double at) {
     const auto next = std::upper_bound(along.begin() + 1, along.end(), at);
     return static_cast<std::size_t>(next - along.begin()) - 1;

@@ -20,10 +20,10 @@ struct FannedCover {
   std::function<FanAngles(std::uint32_t face)> fan_of;
 };
 
-/// A skeleton's path (opened, its first point first) smoothed, corners as arcs; each point has the
-/// face of the skeleton point that it came from. `blocked`: segments that it must not cross,
-/// besides the edge of the water. With `cover` its points are pulled to where they leave less of
-/// the area empty. What Ipopt said is added to `verdict`.
+/// Smooths the path of an opened skeleton; corners become arcs. Each point has the face of the
+/// skeleton point that it came from. The path crosses neither the edge of the water nor the
+/// segments `blocked`. With `cover` its points are pulled to where they leave less of the area
+/// empty. The counts of Ipopt's verdicts are added to `verdict`.
 [[nodiscard]] std::vector<SkeletonPoint> smoothed(const SkeletonCycle& cycle,
                                                   const std::vector<std::pair<Vec2, Vec2>>& blocked,
                                                   const Area& water, const SmoothOptions& options,

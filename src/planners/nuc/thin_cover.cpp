@@ -8,9 +8,10 @@
 namespace swathplan {
 namespace {
 
-/// How far rays reach beyond the area before they no longer matter, metres.
+/// Rays that end farther beyond the area than this do not matter, metres.
 constexpr double kRim = 4.0 * ThinCover::kSpreadM;
-/// Steps by which a ray finds the seafloor; slopes steeper than it is are not followed to the end.
+/// A ray finds the seafloor in this many steps. On slopes steeper than the ray they end off the
+/// seafloor.
 constexpr int kDescents = 3;
 
 }  // namespace

@@ -8,11 +8,11 @@
 
 namespace swathplan {
 
-/// A smooth surrogate of the area that a path leaves empty, and where its points should move to
-/// leave less. With rho(x) the soundings per cell at x that the path gives (its fans laid over the
-/// seafloor, spread by a Gaussian of kSpreadM), about exp(-rho) of the cells there stay empty:
-/// E = integral of exp(-rho) over the survey area.
-/// Cost: O(points x kRays + area / kCellM^2).
+/// Estimates the area that a path leaves empty by a smooth function of its points, and tells where
+/// the points should move to leave less. rho(x) is the number of soundings per cell at x. The
+/// path's fans are laid over the seafloor and spread by a Gaussian of kSpreadM. About exp(-rho) of
+/// the cells at x stay empty, so E = integral of exp(-rho) over the survey area. Cost: O(points x
+/// kRays + area / kCellM^2).
 class ThinCover {
  public:
   /// The depths must outlive it.
@@ -22,7 +22,7 @@ class ThinCover {
     std::vector<Vec2> down;  ///< -dE/dp of each point, square metres a metre
     double empty_m2 = 0.0;   ///< E
   };
-  /// `fans[i]` holds at point i.
+  /// `fans[i]` is the fan at point i.
   [[nodiscard]] Pull pull(const std::vector<Vec2>& points,
                           const std::vector<FanAngles>& fans) const;
 

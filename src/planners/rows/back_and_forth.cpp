@@ -9,17 +9,21 @@
 #include "planners/rows/row_order.h"
 #include "planners/rows/survey_lines.h"
 #include "planners/simulated.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
 
-/// Shares of W that all rows are shifted by; centred rows first, which stay where none is better.
+/// Shifts of all rows, as shares of W. Centred rows come first and stay where no shift is better.
 constexpr std::array kShifts = {0.0, -0.0625, 0.0625, -0.125, 0.125, -0.1875, 0.1875, -0.25, 0.25};
 
+/// What the rows of all placements share.
 struct Rows {
   Area area;
   Angle azimuth;
   FanAngles fan;
+  JoinCost cost;
+  Connector connector;
 };
 
 std::vector<SurveyLine> lines_of(const Rows& rows, const PlanOptions& options, double shift) {
@@ -30,16 +34,15 @@ std::vector<SurveyLine> lines_of(const Rows& rows, const PlanOptions& options, d
                                     .shift_m = shift * width});
 }
 
-Plan sailed(const std::vector<SurveyLine>& lines, const Rows& rows, const PlanningGround& ground,
+Plan sailed(const std::vector<SurveyLine>& lines, const Rows& rows, const Ground& ground,
             const PlanOptions& options) {
   Plan plan;
   plan.openings = {rows.fan.port + rows.fan.starboard};
   const double radius = options.vehicle.turn_radius_m;
-  const JoinCost cost(ground.water, radius);
   BuiltRoute built = shorter_order(options, [&](const RowOrder& order) {
-    RouteBuilder builder(ground, options);
+    RouteBuilder builder(ground, options, rows.connector);
     int number = 1;
-    for (const SurveyLine& line : ordered(lines, order, cost, radius, options.start)) {
+    for (const SurveyLine& line : ordered(lines, order, rows.cost, radius, options.start)) {
       builder.add_line(line_waypoints(line, number++, rows.fan, options));
     }
     return builder.built();
@@ -57,7 +60,7 @@ std::size_t infeasible_points(const Plan& plan) {
 }
 
 /// Placements with joins that cannot be steered give way to the centred one.
-Plan best_placed(const Rows& rows, const PlanningGround& ground, const PlanOptions& options) {
+Plan best_placed(const Rows& rows, const Ground& ground, const PlanOptions& options) {
   std::vector<Plan> plans;
   std::vector<Outcome> outcomes;
   std::vector<double> shifts;
@@ -73,21 +76,24 @@ Plan best_placed(const Rows& rows, const PlanningGround& ground, const PlanOptio
   }
   const std::size_t best = pick(outcomes, {}).index;
   plans[best].notes.push_back(
-      fmt::format("few rows fit the area: of {} placements the simulator chose rows shifted by "
-                  "{:g} m from the centred ones",
-                  kShifts.size(), shifts[best]));
+      fmt::format("few rows fit the area: of {} the simulator chose rows shifted by {:g} m from "
+                  "the centred ones",
+                  counted(plans.size(), "placement"), shifts[best]));
   return std::move(plans[best]);
 }
 
 }  // namespace
 
-Plan plan_back_and_forth(const PlanningGround& ground, const PlanOptions& options) {
+Plan plan_back_and_forth(const Ground& ground, const PlanOptions& options) {
   check(options);
   const PlanarMesh mesh = planning_mesh(ground, options);
   const double mean = mean_depth_m(depth_regions(mesh, shared_edges(mesh), *ground.depths,
                                                  {.bands = {.count = 1, .limits = {}}}));
-  Rows rows{reachable_area(ground), {}, fan_for_depth(options, mean)};
-  rows.azimuth = options.heading.value_or(best_azimuth(rows.area, footprint_width_m(options)));
+  Area area = reachable_area(ground);
+  const Angle azimuth = options.heading.value_or(best_azimuth(area, footprint_width_m(options)));
+  const Rows rows{std::move(area), azimuth, fan_for_depth(options, mean),
+                  JoinCost(ground.water, options.vehicle.turn_radius_m),
+                  connector_for(ground, options)};
 
   const std::vector<SurveyLine> centred = lines_of(rows, options, 0.0);
   if (ground.scene != nullptr && !centred.empty() && centred.back().row < kFewRows) {

@@ -4,17 +4,17 @@
 
 namespace swathplan {
 
-/// Lines stop this far before the outline, metres: just enough that rounding keeps them in the
-/// water.
+/// Lines stop this far before the outline, metres, so that rounding keeps them in the water.
 inline constexpr double kLineInset = 0.05;
 inline constexpr int kFewRows = 8;
 
-/// Back-and-forth (B&F), today's baseline: parallel lines at spacing W along one direction (the
-/// one with the fewest lines, or `heading`), one opening angle from the mean depth of the whole
-/// area. The rows are centred; where no more than kFewRows fit, where they happen to fall decides
-/// over points of coverage, so of several placements (and with a scene) the simulator chooses, and
-/// a note says which. Turns and transits between lines stay in the water, ping, and are not logged.
+/// Back-and-forth (B&F), today's baseline. Parallel lines at spacing W run along one direction: the
+/// one with the fewest lines, or `heading`. One opening angle follows from the mean depth of the
+/// whole area. The rows are centred. Where no more than kFewRows fit, their place changes the
+/// coverage by several points. So, with a scene, the simulator chooses among several placements,
+/// and a note names the one. Turns and transits between lines stay in the water, ping, and are not
+/// logged.
 /// @throws UsageError for options out of range.
-[[nodiscard]] Plan plan_back_and_forth(const PlanningGround& ground, const PlanOptions& options);
+[[nodiscard]] Plan plan_back_and_forth(const Ground& ground, const PlanOptions& options);
 
 }  // namespace swathplan

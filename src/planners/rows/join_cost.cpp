@@ -10,7 +10,7 @@
 namespace swathplan {
 namespace {
 
-/// Cells of the raster that ways are measured on: a few per cent of a way, in milliseconds.
+/// Cells of the raster for ways. Ways are then a few per cent off, and take milliseconds.
 constexpr double kCells = 1.5e4;
 constexpr double kFinest = 1.0;
 constexpr float kFar = std::numeric_limits<float>::infinity();
@@ -69,7 +69,7 @@ std::int64_t JoinCost::Impl::cell_of(const Vec2& p) const {
   return found;
 }
 
-/// Dijkstra over the eight neighbours and the knight's moves would be truer; eight do for an order.
+/// Dijkstra over the eight neighbours. More moves would be more exact, but eight do for an order.
 const std::vector<float>& JoinCost::Impl::distances(std::int64_t cell_from) const {
   auto [it, fresh] = from.try_emplace(cell_from);
   std::vector<float>& d = it->second;
@@ -132,8 +132,8 @@ double JoinCost::turning(const Vec2& a, const Vec2& course_a, const Vec2& b, con
   const double r = impl_->radius;
   if (distance < 1e-6) return 2.0 * r * between(course_a, course_b);
   const Vec2 chord = apart / distance;
-  // Two arcs and their tangent are longer than the chord by about this; ends nearer than the
-  // diameter need a loop for what is missing.
+  // Two arcs and their tangent are longer than the chord by about this. Ends nearer than the
+  // diameter need a loop as well.
   const double angles = between(course_a, chord) + between(chord, course_b);
   const double missing = std::max(0.0, 2.0 * r - way_m) * angles / std::numbers::pi;
   return 0.36 * r * angles + 1.5 * missing;

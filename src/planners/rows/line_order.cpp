@@ -80,7 +80,7 @@ class Tour {
   [[nodiscard]] double at(std::size_t i, std::size_t j) const { return cost_[i * 2 * n_ + j]; }
   double& at(std::size_t i, std::size_t j) { return cost_[i * 2 * n_ + j]; }
 
-  /// Cost of the join before position k, `node` standing there; and of none at the end.
+  /// Cost of the join before position k if `node` stands there; 0 at the end.
   [[nodiscard]] double into(const std::vector<std::size_t>& order, std::size_t k,
                             std::size_t node) const {
     return k == 0 ? first_[node] : at(order[k - 1], node);
@@ -144,7 +144,7 @@ class Tour {
     return true;
   }
 
-  /// What a run from node a to node b adds when put before position k of `rest`.
+  /// The metres that a run from node a to node b adds before position k of `rest`.
   [[nodiscard]] double gap(const std::vector<std::size_t>& rest, std::size_t k, std::size_t a,
                            std::size_t b) const {
     if (k == 0) return first_[a] + at(b, rest[0]) - first_[rest[0]];

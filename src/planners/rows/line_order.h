@@ -22,8 +22,8 @@ struct OrderedLine {
   bool backwards = false;
 };
 
-/// Estimates the metres of joins: the way through the water, and what turning adds for a smallest
-/// radius. Ways are measured on a coarse raster only where the straight one leaves the water.
+/// Estimates the metres of joins: the way through the water, and the extra metres of turns with a
+/// smallest radius. Where the straight way leaves the water, ways are measured on a coarse raster.
 class JoinCost {
  public:
   JoinCost(const Area& water, double turn_radius_m);
@@ -31,9 +31,9 @@ class JoinCost {
   JoinCost(JoinCost&&) noexcept;
   JoinCost& operator=(JoinCost&&) noexcept;
 
-  /// Metres from a to b through the water; for separate waters the straight way and kNoWay more.
+  /// Metres from a to b through the water. For separate waters: the straight way plus kNoWay.
   [[nodiscard]] double way(const Vec2& a, const Vec2& b) const;
-  /// What a course change at both ends of a join of `way_m` adds.
+  /// Metres that the changes of course at both ends of a join of `way_m` add.
   [[nodiscard]] double turning(const Vec2& a, const Vec2& course_a, const Vec2& b,
                                const Vec2& course_b, double way_m) const;
   [[nodiscard]] double operator()(const Vec2& a, const Vec2& course_a, const Vec2& b,
@@ -45,13 +45,14 @@ class JoinCost {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Metres of a join from a place on a course to another on another.
+/// Metres of a join from one place and course to another.
 using LineCost =
     std::function<double(const Vec2& a, const Vec2& course_a, const Vec2& b, const Vec2& course_b)>;
 
-/// The order in which lines are sailed: from the order given and from the nearest next line, each
-/// mended by turning runs round (2-opt) and by moving runs of up to three lines (or-opt) until
-/// neither helps; the shorter is kept. Begins near `start`, if given. O(n^2) a round.
+/// The order in which lines are sailed. There are two first orders: the given one, and the one that
+/// always takes the nearest next line. Each is improved by turning runs of lines round (2-opt) and
+/// by moving runs of up to three lines (or-opt), until neither helps. The shorter one is kept. It
+/// begins near `start`, if given. O(n^2) a round.
 [[nodiscard]] std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines,
                                                   const LineCost& cost,
                                                   const std::optional<Vec2>& start);

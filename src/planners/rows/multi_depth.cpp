@@ -24,9 +24,9 @@ using OrderLines = std::function<std::vector<SurveyLine>(const std::vector<Surve
 
 /// The regions' lines, each region's in the order given, the nearest region next.
 BuiltRoute region_by_region(const Plan& plan, const std::vector<std::vector<SurveyLine>>& lines,
-                            const PlanningGround& ground, const PlanOptions& options,
-                            const OrderLines& order) {
-  RouteBuilder builder(ground, options);
+                            const Ground& ground, const PlanOptions& options,
+                            const Connector& connector, const OrderLines& order) {
+  RouteBuilder builder(ground, options, connector);
   std::vector<char> done(lines.size(), 0);
   std::optional<Vec2> at = options.start;
   int number = 1;
@@ -53,7 +53,7 @@ BuiltRoute region_by_region(const Plan& plan, const std::vector<std::vector<Surv
 
 }  // namespace
 
-Plan plan_multi_depth(const PlanningGround& ground, const PlanOptions& options) {
+Plan plan_multi_depth(const Ground& ground, const PlanOptions& options) {
   const double width = footprint_width_m(options);
   Plan plan;
   plan.mesh = planning_mesh(ground, options);
@@ -72,8 +72,9 @@ Plan plan_multi_depth(const PlanningGround& ground, const PlanOptions& options) 
 
   const double radius = options.vehicle.turn_radius_m;
   const JoinCost cost(ground.water, radius);
+  const Connector connector = connector_for(ground, options);
   BuiltRoute built = shorter_order(options, [&](const RowOrder& order) {
-    return region_by_region(plan, lines, ground, options,
+    return region_by_region(plan, lines, ground, options, connector,
                             [&](const auto& of_region, const auto& at) {
                               return ordered(of_region, order, cost, radius, at);
                             });

@@ -4,11 +4,11 @@
 
 namespace swathplan {
 
-/// Multi-depth back-and-forth (MDB&F): parallel lines at spacing W in each depth region by itself,
-/// along the region's own best direction (or `heading`), with one opening angle from the region's
-/// mean depth; region after region by the nearest end. The ways between lines and regions stay in
-/// the water, ping, and are not logged.
+/// Multi-depth back-and-forth (MDB&F). Each depth region has parallel lines at spacing W of its
+/// own, along its best direction (or `heading`), with one opening angle from its mean depth. The
+/// next region is always the one with the nearest end of a line. The ways between lines and regions
+/// stay in the water, ping, and are not logged.
 /// @throws UsageError for options out of range or bands that hold no part of the area.
-[[nodiscard]] Plan plan_multi_depth(const PlanningGround& ground, const PlanOptions& options);
+[[nodiscard]] Plan plan_multi_depth(const Ground& ground, const PlanOptions& options);
 
 }  // namespace swathplan

@@ -14,11 +14,11 @@
 namespace swathplan {
 namespace {
 
-/// A line keeps at least this share, whatever its run-in and run-out take.
+/// A line keeps at least this share of its length, whatever its run-in and run-out take.
 constexpr double kMostShortened = 0.45;
 /// Run-ins that do not fit are shortened in this many steps.
 constexpr int kRunSteps = 16;
-/// Notes name so many joins without a forward way; those across land are all named.
+/// Notes name this many joins without a forward path. Joins across land are all named.
 constexpr std::size_t kJoinsSaid = 5;
 
 /// Cuts `off` metres off the end of a line, which then ends at a waypoint of its own.
@@ -70,13 +70,21 @@ std::vector<Waypoint> line_waypoints(const SurveyLine& line, int number, const F
   return points;
 }
 
-RouteBuilder::RouteBuilder(const PlanningGround& ground, const PlanOptions& options)
-    : connector_(ground.water, {.radius_m = options.vehicle.turn_radius_m,
-                                .frame = ground.seafloor ? ground.seafloor->frame : Frame{}}),
+Connector connector_for(const Ground& ground, const PlanOptions& options) {
+  return {ground.water,
+          {.radius_m = options.vehicle.turn_radius_m,
+           .frame = ground.seafloor ? ground.seafloor->frame : Frame{}}};
+}
+
+double turn_reach_m(const PlanOptions& options) { return 2.0 * footprint_width_m(options); }
+
+RouteBuilder::RouteBuilder(const Ground& ground, const PlanOptions& options,
+                           const Connector& connector)
+    : connector_(connector),
       vehicle_(options.vehicle),
       run_in_(options.run_in_m),
       run_out_(options.run_out_m),
-      turn_reach_(2.0 * footprint_width_m(options)) {
+      turn_reach_(turn_reach_m(options)) {
   if (options.smooth) smoother_.emplace(ground.water, connector_, vehicle_.turn_radius_m);
 }
 
@@ -101,8 +109,8 @@ std::vector<Waypoint> RouteBuilder::steered_line(const std::vector<Waypoint>& po
   return line;
 }
 
-/// Lengthens a line by a run on its course that is not logged (a shorter one where the water ends),
-/// or shortens it by a negative one.
+/// Lengthens a line by a run on its course that is not logged; the run is shorter where the water
+/// ends. A negative run shortens the line.
 void RouteBuilder::add_run(std::vector<Waypoint>& line, double metres, bool in) {
   const LinePoses poses(positions(line));
   if (metres == 0.0 || poses.is_point()) return;
@@ -131,8 +139,8 @@ void RouteBuilder::add_run(std::vector<Waypoint>& line, double metres, bool in) 
   ++short_runs_;
 }
 
-/// Joins the end of the route to a line, which may lose some of its beginning, as may the last
-/// line of its end.
+/// Joins the end of the route to a line. The line may lose a part of its beginning, and the line
+/// before it a part of its end.
 void RouteBuilder::join_to(std::vector<Waypoint>& line) {
   std::vector<Waypoint> before(route_.waypoints.begin() + static_cast<std::ptrdiff_t>(line_begin_),
                                route_.waypoints.end());
@@ -227,8 +235,9 @@ BuiltRoute RouteBuilder::built() {
   return {std::move(route), notes()};
 }
 
-BuiltRoute rejoined(const Route& route, const PlanningGround& ground, const PlanOptions& options) {
-  RouteBuilder builder(ground, options);
+BuiltRoute rejoined(const Route& route, const Ground& ground, const PlanOptions& options,
+                    const Connector& connector) {
+  RouteBuilder builder(ground, options, connector);
   std::vector<Waypoint> line, kept;
   const auto put = [&] {
     if (!line.empty()) kept.empty() ? builder.append(line) : builder.append(kept, line);

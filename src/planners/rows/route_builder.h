@@ -11,36 +11,45 @@
 
 namespace swathplan {
 
-/// A route with what its joins had to say.
+/// A route, and notes about its joins.
 struct BuiltRoute {
   Route route;
   std::vector<std::string> notes;
 };
 
-/// Strings survey lines together into a route that the vehicle can steer: turns of a line that are
-/// too tight are replaced (steer.h), run-in and run-out are added, and each line is joined to the
-/// one before through the water (connect.h), by a `turn` where the lines end within two footprint
-/// widths of each other, else by a `transit`. Both keep the fan of the line before and are not
-/// logged. Where no forward way was found, the join is marked `feasible = false`. With
-/// `options.smooth` the bends of joins are smoothed (join_smoothing.h).
+/// What joins lines on this ground for this vehicle. Built once a plan: all its builders share it.
+[[nodiscard]] Connector connector_for(const Ground& ground, const PlanOptions& options);
+
+/// A turn joins lines whose ends lie no farther apart than this, metres: two footprint widths. A
+/// transit joins all others.
+[[nodiscard]] double turn_reach_m(const PlanOptions& options);
+
+/// Joins survey lines into a route that the vehicle can steer. Turns of a line that are too tight
+/// are replaced (steer.h). Run-in and run-out are added. Each line is joined to the one before
+/// through the water (connect.h): by a `turn` where the lines end within two footprint widths of
+/// each other, else by a `transit`. Both keep the fan of the line before and are not logged. Where
+/// no forward path was found, the join is marked `feasible = false`. With `options.smooth` the
+/// bends of joins are smoothed (join_smoothing.h).
 class RouteBuilder {
  public:
-  RouteBuilder(const PlanningGround& ground, const PlanOptions& options);
+  /// `connector` is that of this ground and vehicle and must outlive the builder.
+  RouteBuilder(const Ground& ground, const PlanOptions& options, const Connector& connector);
   RouteBuilder(const RouteBuilder&) = delete;
   RouteBuilder& operator=(const RouteBuilder&) = delete;
 
-  /// Appends a line (at least one point, its `kind`, `fan`, ... set) after a way to it.
+  /// Appends a join and a line. The line has at least one point, with its `kind`, `fan` and so on
+  /// set.
   void add_line(const std::vector<Waypoint>& points);
-  /// Appends a line as it is, after a way to it.
+  /// Appends a join and a line that stays as it is.
   void append(std::vector<Waypoint> line);
-  /// Appends a line as it is, after a join as it is: from the end of the route, which is its first
-  /// waypoint, to before the line.
+  /// Appends a given join and a line; both stay as they are. The join begins with the end of the
+  /// route as its first waypoint, and ends before the line.
   void append(const std::vector<Waypoint>& join, const std::vector<Waypoint>& line);
   /// Where the route ends so far.
   [[nodiscard]] std::optional<Vec2> at() const;
-  /// One sentence per join that is infeasible, and what became of turns that were too tight.
+  /// One sentence for each infeasible join, and one about turns that were too tight.
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Marks the last waypoint as the end and hands the route out.
+  /// Marks the last waypoint as the end and returns the route.
   [[nodiscard]] Route finish();
   /// The same with the notes.
   [[nodiscard]] BuiltRoute built();
@@ -50,7 +59,7 @@ class RouteBuilder {
   void add_run(std::vector<Waypoint>& line, double metres, bool in);
   void join_to(std::vector<Waypoint>& line);
 
-  Connector connector_;
+  const Connector& connector_;
   std::optional<JoinSmoother> smoother_;
   Vehicle vehicle_;
   double run_in_, run_out_;
@@ -62,10 +71,10 @@ class RouteBuilder {
   double loop_m_ = 0.0;
 };
 
-/// The route with its joins made anew, as the options ask. Lines stay but for what wider turns take
-/// off their ends; joins marked infeasible stay.
-[[nodiscard]] BuiltRoute rejoined(const Route& route, const PlanningGround& ground,
-                                  const PlanOptions& options);
+/// The route with new joins, as the options ask. Wider turns may shorten the ends of lines; else
+/// lines stay. Joins marked infeasible stay.
+[[nodiscard]] BuiltRoute rejoined(const Route& route, const Ground& ground,
+                                  const PlanOptions& options, const Connector& connector);
 
 /// The two waypoints of a straight survey line.
 [[nodiscard]] std::vector<Waypoint> line_waypoints(const SurveyLine& line, int number,

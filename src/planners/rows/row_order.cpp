@@ -11,14 +11,15 @@ namespace {
 
 /// Routes that differ by less are equally good, metres.
 constexpr double kSame = 1e-6;
-/// Ends of lines that are nearer than this are one: joins that were not found cut nothing off.
+/// Ends of lines nearer than this are the same end. A join that was not found cuts nothing off a
+/// line.
 constexpr double kSamePlace = 1e-3;
-/// Orders of least way that are built.
+/// Number of orders of least way that are built.
 constexpr int kMostOrders = 4;
 
 struct Price {
   double infeasible_m = 0.0;
-  double way_m = 0.0;  ///< less what lines are worth
+  double way_m = 0.0;  ///< less the worth of lines
 };
 
 Price price(const Route& route) {
@@ -75,7 +76,7 @@ std::vector<SurveyLine> ordered(const std::vector<SurveyLine>& lines, const RowO
     const Vec2 course = (line.to - line.from).normalized();
     ends.push_back({line.from, line.to, course, course});
   }
-  // Bulbs between near rows are longer than JoinCost makes of them.
+  // JoinCost estimates bulbs between near rows too short.
   const auto metres = [&](const Vec2& a, const Vec2& ca, const Vec2& b, const Vec2& cb) {
     const double way = cost.way(a, b);
     const double bulb = dubins_length_m({a, ca}, {b, cb}, turn_radius_m) - (b - a).norm();

@@ -14,27 +14,28 @@ namespace swathplan {
 
 /// How parallel rows follow each other.
 struct RowOrder {
-  /// True: each row after its neighbour. False: the least estimated way in all; rows are skipped
-  /// where turns ask for it.
+  /// True: each row follows its neighbour. False: the order with the least estimated way in all,
+  /// which skips rows where turns are wide.
   bool to_and_fro = true;
-  /// Joins, from the end of a line to the beginning of another, to be avoided: none was found.
+  /// Joins to be avoided, since no path was found for them: from the end of a line to the beginning
+  /// of another.
   std::vector<std::pair<Vec2, Vec2>> avoided;
 };
 
-/// True where the turn into the next row is wider than the rows are apart, so that to and fro takes
-/// bulbs: rows are W apart.
+/// True where the turn into the next row is wider than W, the distance between rows. To and fro
+/// would take bulbs then.
 [[nodiscard]] bool rows_need_skips(const PlanOptions& options);
 
-/// Lines in an order, turned as they are sailed. Begins near `start`, if given.
+/// Puts lines in an order and turns each the way that it is sailed. Begins near `start`, if given.
 [[nodiscard]] std::vector<SurveyLine> ordered(const std::vector<SurveyLine>& lines,
                                               const RowOrder& order, const JoinCost& cost,
                                               double turn_radius_m,
                                               const std::optional<Vec2>& start);
 
-/// What `build` makes of to and fro, or where rows need skips the best of that and of a few orders
-/// of least way, each avoiding the joins that the ones before found infeasible: the one with the
-/// fewest metres marked infeasible, of those with as many the shortest, a metre of line given up
-/// for turns counting as two of way. A note says if it is not to and fro.
+/// Builds the route to and fro. Where rows need skips, a few orders of least way are built as well.
+/// Each of them avoids the joins that were infeasible in the routes before. The best route has the
+/// fewest metres marked infeasible. Of equal ones the shortest is best, where a metre of line given
+/// up for turns counts as two metres of way. A note tells if the best one is not to and fro.
 [[nodiscard]] BuiltRoute shorter_order(const PlanOptions& options,
                                        const std::function<BuiltRoute(const RowOrder&)>& build);
 

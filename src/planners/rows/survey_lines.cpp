@@ -8,7 +8,7 @@
 namespace swathplan {
 namespace {
 
-/// Pieces shorter than this share of the spacing are crumbs at corners.
+/// Pieces shorter than this share of the spacing are left out: they lie at corners.
 constexpr double kCrumb = 0.2;
 /// Azimuths are tried in these steps, besides the outline's own sides.
 constexpr double kStepDeg = 5.0;
@@ -80,7 +80,7 @@ Angle best_azimuth(const Area& area, double spacing_m) {
     const Angle azimuth = Angle::degrees(deg);
     const Range range = range_along(area, across(azimuth));
     const double width = range.high - range.low;
-    // The narrowest way across needs the fewest lines; a direction must win by more than rounding.
+    // The narrowest width needs the fewest lines. A direction must win by more than rounding.
     if (width < best_width * (1.0 - 1e-9)) {
       best_width = width;
       best = azimuth;

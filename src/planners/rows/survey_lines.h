@@ -11,7 +11,7 @@ namespace swathplan {
 /// A straight survey line, local metres.
 struct SurveyLine {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
-  int row = 0;  ///< which of the parallel sweeps it is a piece of
+  int row = 0;  ///< the parallel row that it is a piece of
 };
 
 struct ParallelLinesOptions {
@@ -21,18 +21,20 @@ struct ParallelLinesOptions {
   double shift_m = 0.0;    ///< all rows lie this far to the right of where they are centred
 };
 
-/// Parallel lines across the area at an even spacing: as many as fit its width rounded, centred
-/// in it (and shifted), each cut to the area. By row, then along. Pieces shorter than a fifth of
-/// the spacing are left out where their row has a longer one.
+/// Parallel lines over the area at an even spacing. Their number is the area's width over the
+/// spacing, rounded. They are centred (then shifted) and cut to the area. Pieces come row by row,
+/// in the order along it. A piece shorter than a fifth of the spacing is left out where its row has
+/// a longer one.
 [[nodiscard]] std::vector<SurveyLine> parallel_lines(const Area& area,
                                                      const ParallelLinesOptions& options);
 
-/// The azimuth in [0, 180) degrees across which the area is narrowest, so that the fewest lines are
-/// needed: along one of the outline's longer sides or a whole number of 5 degrees.
+/// The azimuth of lines, in [0, 180) degrees, across which the area is narrowest: the fewest lines
+/// are needed. It is that of one of the outline's longer sides, or a multiple of 5 degrees.
 [[nodiscard]] Angle best_azimuth(const Area& area, double spacing_m);
 
-/// Orders and turns lines for sailing: neighbouring rows that overlap one to one make a block that
-/// is sailed to and fro; blocks follow by the nearest end. Begins nearest to `start`, if given.
+/// Orders and turns lines for sailing. Neighbouring rows that overlap one to one make a block,
+/// which is sailed to and fro. The next block is always the one with the nearest end. Begins
+/// nearest to `start`, if given.
 [[nodiscard]] std::vector<SurveyLine> to_and_fro(const std::vector<SurveyLine>& lines,
                                                  const std::optional<Vec2>& start);
 

@@ -10,16 +10,16 @@ namespace {
 constexpr std::size_t kHeld = 3;
 /// No point moves farther than this, radii.
 constexpr double kReach = 1.0;
-/// Bends are spread over about so many radii: beyond, the curve follows the one given.
+/// A bend is spread over about this many radii. Beyond them the curve follows the given one.
 constexpr double kSpread = 2.0;
 /// Steps may shrink and grow by this share.
 constexpr double kUneven = 0.06;
-/// The spline bends a little tighter between its points than they do: reserve, and what each round
-/// that was too tight adds.
+/// The spline bends a little tighter between its points than at them. This is the reserve for that,
+/// and what each round adds that was too tight.
 constexpr double kReserve = 0.03;
 /// A point keeps this share of its distance to the water's edge ...
 constexpr double kEdgeShare = 0.1;
-/// ... and this many radii, if it had twice as much.
+/// ... and this many radii, if it had at least twice as much.
 constexpr double kMargin = 0.02;
 constexpr int kMostIterations = 50;
 
@@ -121,8 +121,8 @@ void JoinProblem::add_shape(PathProblem& problem) const {
   }
 }
 
-/// The point stays on its side of the nearest edge of the water. A point on the edge stays there:
-/// which side is the water's cannot be told from it.
+/// Keeps the point on its side of the nearest edge of the water. A point on the edge itself stays
+/// there, since it does not tell on which side the water lies.
 void JoinProblem::add_edge(PathProblem& problem, std::size_t i) const {
   const Vec2 edge = water_.nearest_on_outline(now_[i]);
   const double distance = (edge - now_[i]).norm() / step_;
@@ -142,7 +142,7 @@ PathSolution JoinProblem::solve_round() {
   PathSolution found = solved_by_ipopt(stated(), kMostIterations);
   if (!found.good) return found;
   for (std::size_t i = 0; i < now_.size(); ++i) now_[i] = origin_ + step_ * found.points[i];
-  // Exactly: Ipopt's points are scaled and back.
+  // Set exactly: Ipopt scales its points and scales them back.
   for (const std::size_t i : {std::size_t{1}, now_.size() - 2}) now_[i] = given_[i];
   return found;
 }

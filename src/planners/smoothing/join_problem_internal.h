@@ -10,9 +10,9 @@
 
 namespace swathplan {
 
-/// A bend of a join and the least radius that it may have, for Ipopt: docs/smoothing.md states the
-/// problem. It is solved in rounds: bounds that need the length of a step or the nearest edge take
-/// those of the round before.
+/// A bend of a join and its least radius, as a problem for Ipopt; docs/smoothing.md states it. It
+/// is solved in rounds: a bound that needs the length of a step, or the nearest edge, takes the one
+/// of the round before.
 class JoinProblem {
  public:
   /// `s`: the bend at even steps, from one pose to the other. `water` must outlive it.
@@ -21,11 +21,11 @@ class JoinProblem {
 
   /// The problem at the present points, in units of the step.
   [[nodiscard]] PathProblem stated() const;
-  /// One round: the present points become what was found, if it is good.
+  /// Ends a round: if the solution is good, its points become the present ones.
   [[nodiscard]] PathSolution solve_round();
-  /// The next rounds ask for wider turns.
+  /// Makes the next rounds ask for wider turns.
   void widen();
-  /// ... and keep farther from the water's edge.
+  /// Makes the next rounds keep farther from the water's edge.
   void keep_off();
 
   /// The bend as found, in chords of at most `chord_m`: the cubic spline through the points.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "mesh/plane/segments.h"
 #include "planners/smoothing/join_problem_internal.h"
 #include "planners/steering/line_poses.h"
 #include "planners/steering/pose_search.h"
@@ -14,25 +15,27 @@
 namespace swathplan {
 namespace {
 
-/// A bend may use so much of the straights before and behind it, radii.
+/// A bend may use this much of the straights before and behind it, radii.
 constexpr double kRun = 3.0;
-/// A bend needs so many steps: those held and some to move.
+/// A bend needs this many steps: those that are held, and some to move.
 constexpr double kFewestSteps = 8.0;
 /// Bends of less than this are straight, radians.
 constexpr double kStraight = 1e-4;
-/// Bounds settle in the second round; what then fails a check is solved again.
+/// The bounds of a bend are steady from this round on. A bend that then fails a check is solved
+/// again, up to kMostRounds rounds.
 constexpr int kSettled = 2;
 constexpr int kMostRounds = 5;
-/// A curve at the radius has no room for a gradual beginning: wider ones first, in radii ...
+/// A curve at the smallest radius has no room for a gradual beginning. So wider curves are tried
+/// first, radii ...
 constexpr double kWider[] = {1.3, 1.15};
-/// ... if they cost no more than this, in radii and as a share of the way.
+/// ... but a wider curve must cost no more than this, in radii and as a share of the way.
 constexpr double kDearest = 3.0;
 constexpr double kDearestShare = 0.05;
 
 double turn_at(const std::vector<Vec2>& p, std::size_t i) {
   const Vec2 in = p[i] - p[i - 1];
   const Vec2 out = p[i + 1] - p[i];
-  return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+  return turn_angle(in, out);
 }
 
 /// The part of a line between two places, metres along it.
@@ -59,7 +62,7 @@ struct Stretch {
   double from, to;  // metres along the curve
 };
 
-/// The bends of a curve with their share of the straights beside them, apart from each other.
+/// The bends of a curve, each with its share of the straights beside it. They do not overlap.
 std::vector<Stretch> bends_of(const LinePoses& line, double straight_m) {
   std::vector<Stretch> bends;
   const auto& along = line.along();
@@ -104,8 +107,14 @@ std::pair<Pose, Pose> ends_of(const Connection& way, const std::vector<Vec2>& be
 }
 
 double off_m(const Connection& way) { return way.off_before_m + way.off_after_m; }
-/// What is cut off lines costs as much as way.
+/// The cost of a join: metres of way, and metres cut off lines.
 double cost_m(const Connection& way) { return LinePoses(way.points).length_m() + off_m(way); }
+
+/// The share of a curve's bends that were smoothed.
+double smoothed_share(const SmoothedCurve& curve) {
+  const auto bends = static_cast<double>(std::max<std::size_t>(curve.bends, 1));
+  return static_cast<double>(curve.smoothed) / bends;
+}
 
 }  // namespace
 
@@ -125,7 +134,7 @@ double sharpest_change(const std::vector<Vec2>& path, double step_m) {
 JoinSmoother::JoinSmoother(const Area& safe_water, const Connector& connector, double radius_m)
     : water_(safe_water), connector_(connector), radius_(radius_m) {}
 
-/// With a radius of straight before and behind it, where curvature jumps too.
+/// Adds a straight of one radius before and behind the curve, since curvature jumps there too.
 double JoinSmoother::change(const Bend& bend) const {
   std::vector<Vec2> path{bend.from.position - radius_ * bend.from.course};
   path.insert(path.end(), bend.points.begin(), bend.points.end());
@@ -144,7 +153,7 @@ bool JoinSmoother::steerable(const Bend& bend) const {
   return true;
 }
 
-/// Smooths a bend; where that fails it stays and the answer is why, else empty.
+/// Smooths a bend. Returns why it failed; the bend then stays. Empty: it was smoothed.
 std::string JoinSmoother::smooth(Bend& bend) const {
   const LinePoses line(bend.points);
   const double step = kJoinStep * radius_;
@@ -193,7 +202,7 @@ SmoothedCurve JoinSmoother::smoothed(const Pose& from, const Pose& to,
   return result;
 }
 
-/// The wide ones first, the Connector's own last.
+/// The candidates for a join: the widest first, the Connector's own last.
 std::vector<Connection> JoinSmoother::candidates(const Connection& plain,
                                                  const std::vector<Vec2>& before,
                                                  const std::vector<Vec2>& after) const {
@@ -207,20 +216,21 @@ std::vector<Connection> JoinSmoother::candidates(const Connection& plain,
   return all;
 }
 
+bool takes_over(const SmoothedCurve& later, const SmoothedCurve& best) {
+  if (later.smoothed == 0 && best.smoothed == 0) return true;
+  return smoothed_share(later) > smoothed_share(best);
+}
+
 Connection JoinSmoother::join(const std::vector<Vec2>& before, const std::vector<Vec2>& after) {
   const Connection plain = connector_.join(before, after);
   if (plain.kind == JoinKind::infeasible) return plain;
   if (bends_of(LinePoses(plain.points), 0.0).empty()) return plain;
   Connection best;
-  SmoothedCurve found;
-  double share = -1.0;
+  SmoothedCurve found;  // none smoothed: whatever comes first takes over
   for (const Connection& way : candidates(plain, before, after)) {
     const auto [from, to] = ends_of(way, before, after);
     SmoothedCurve curve = smoothed(from, to, way.points);
-    const auto bends = static_cast<double>(std::max<std::size_t>(curve.bends, 1));
-    const double part = static_cast<double>(curve.smoothed) / bends;
-    if (part <= share && curve.smoothed > 0) continue;
-    share = part;
+    if (!takes_over(curve, found)) continue;
     best = way;
     found = std::move(curve);
     if (found.smoothed == found.bends) break;

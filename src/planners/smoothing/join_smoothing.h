@@ -10,33 +10,38 @@
 
 namespace swathplan {
 
-/// The largest change of curvature along a path, 1/m per m: between successive points at an even
-/// spacing of about `step_m`. A jump of curvature counts as one over a step or two.
+/// The largest change of curvature along a path, 1/m per m. It is measured between points at an
+/// even spacing of about `step_m`. A jump of curvature counts as a change over one or two steps.
 [[nodiscard]] double sharpest_change(const std::vector<Vec2>& path, double step_m);
 
-/// A curve of a join after Ipopt. A bend that was not smoothed is as it was given.
+/// A curve of a join after Ipopt. A bend that was not smoothed stays as it was given.
 struct SmoothedCurve {
   std::vector<Vec2> points;
   std::size_t bends = 0, smoothed = 0;
-  std::map<std::string, std::size_t> kept;  ///< why a bend is as it was -> bends
+  std::map<std::string, std::size_t> kept;  ///< reason why bends were kept -> number of bends
 };
 
-/// What became of the joins that have a bend.
+/// Whether a later candidate for a join takes the place of the best one before it: more of its
+/// bends are smoothed, or none of either is. The plain join is the last candidate, so it stays
+/// where nothing could be smoothed.
+[[nodiscard]] bool takes_over(const SmoothedCurve& later, const SmoothedCurve& best);
+
+/// Counts of the joins that have a bend.
 struct JoinTally {
   std::size_t joins = 0;
   std::size_t whole = 0;  ///< joins of which every bend was smoothed
-  std::size_t part = 0;   ///< ... some, not all
+  std::size_t part = 0;   ///< joins of which some bends were smoothed, not all
   std::size_t bends = 0;
-  std::map<std::string, std::size_t> kept;         ///< why bends were kept -> bends
+  std::map<std::string, std::size_t> kept;  ///< reason why bends were kept -> number of bends
   double change_before = 0.0, change_after = 0.0;  ///< sums of sharpest_change over `whole`
   double added_m = 0.0;                            ///< what smoothing adds to the route's length
 };
 
-/// Joins lines as a Connector does, with bends whose curvature changes gradually instead of jumping
-/// from straight to arc: docs/smoothing.md states the problem. Guarantees: each bend of a join is
-/// (1) smoothed: in the water, no tighter than the radius, its ends and courses there kept, its
-/// sharpest change of curvature less than before; or (2) the Connector's, and counted with the
-/// reason. Deterministic.
+/// Joins lines as a Connector does, but with smooth bends: the curvature changes gradually and does
+/// not jump from straight to arc. docs/smoothing.md states the problem. Guarantees: each bend of a
+/// join is (1) smoothed: it stays in the water, is no tighter than the radius, keeps its ends and
+/// the courses there, and its sharpest change of curvature is less than before; or (2) the
+/// Connector's bend, counted with the reason. Deterministic.
 class JoinSmoother {
  public:
   /// `connector` must outlive it.
@@ -66,7 +71,7 @@ class JoinSmoother {
   JoinTally tally_;
 };
 
-/// The tally in a sentence.
+/// The counts in a sentence.
 [[nodiscard]] std::string note(const JoinTally& tally);
 
 }  // namespace swathplan

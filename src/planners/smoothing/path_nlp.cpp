@@ -8,8 +8,8 @@ namespace {
 using Ipopt::Index;
 using Ipopt::Number;
 
-/// Ipopt takes this for no bound. A norm is never below 0, but a bound of 0 is one that Ipopt keeps
-/// away from: straight stretches would be bent.
+/// Ipopt takes this value for 'no bound'. A bound of 0 would not do, although a norm is never below
+/// 0: Ipopt keeps away from bounds, so straight stretches would be bent.
 constexpr double kNoBound = -1e20;
 
 double residual(const LinearTerm& term, const Number* x) {

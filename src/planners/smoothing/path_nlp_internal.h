@@ -31,7 +31,7 @@ struct HalfPlane {
 /// Points to be found: sums of squares of linear terms, boxes, norms of differences, and
 /// half-planes (constraints in this order). All second derivatives are constant.
 struct PathProblem {
-  std::vector<Vec2> start, low, high;  ///< one a point; low = high fixes it
+  std::vector<Vec2> start, low, high;  ///< one for each point; low = high fixes the point
   std::vector<LinearTerm> terms;
   std::vector<NormConstraint> norms;
   std::vector<HalfPlane> half_planes;

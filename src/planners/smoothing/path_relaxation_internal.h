@@ -7,16 +7,17 @@
 
 namespace swathplan {
 
-/// The smoothing problem's curvature and deviation terms without its constraints: a banded linear
-/// system, factored once, that takes a thousandth of what Ipopt takes. Ends stay.
+/// Solves the smoothing problem without its constraints: only the curvature and deviation terms are
+/// left. They make a banded linear system, which is factored once. A solution takes a thousandth of
+/// Ipopt's time. Both ends stay.
 class PathRelaxation {
  public:
-  /// Weights as in SmoothOptions, of a path of `points` points (at least four).
+  /// `points`: number of points of the path, at least four. Weights are as in SmoothOptions.
   PathRelaxation(std::size_t points, double curvature_weight, double deviation_weight);
   ~PathRelaxation();
 
-  /// The path near `wanted` whose curvature changes least, clamped to boxes of half-side `room`
-  /// around `middle`.
+  /// The path near `wanted` whose curvature changes least. Each point is then clamped to a box of
+  /// half-side `room` around `middle`.
   [[nodiscard]] std::vector<Vec2> relaxed(const std::vector<Vec2>& wanted,
                                           const std::vector<Vec2>& middle,
                                           const std::vector<double>& room) const;

@@ -12,9 +12,10 @@ namespace swathplan {
 namespace {
 
 constexpr double kTolerance = 1e-3;
-/// Ipopt's barrier begins here: the skeleton is near the solution, a larger one leads away first.
+/// Ipopt's first barrier parameter. The skeleton is near the solution, and a larger value would
+/// lead away from it first.
 constexpr double kFirstBarrier = 1e-2;
-/// ... and the start is moved off its bounds by this share at most.
+/// Ipopt moves the start off its bounds by this share at most.
 constexpr double kBoundPush = 1e-2;
 /// Norms may miss their bounds by this share of the step squared.
 constexpr double kFeasible = 1e-6;
@@ -58,7 +59,7 @@ bool keeps_bounds(const PathProblem& problem, const std::vector<Vec2>& points) {
 }  // namespace
 
 PathSolution solved_by_ipopt(const PathProblem& problem, int most_iterations) {
-  // Ipopt's linear solver keeps state of its own: one at a time in the whole process.
+  // Ipopt's linear solver keeps global state, so only one solve may run in the whole process.
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
   Ipopt::SmartPtr<PathNlp> nlp = new PathNlp(problem);
@@ -74,7 +75,7 @@ PathSolution solved_by_ipopt(const PathProblem& problem, int most_iterations) {
   if (app->Initialize("") != Ipopt::Solve_Succeeded) return {"not started", false, {}};
   const auto status = app->OptimizeTNLP(nlp);
   bool good = status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level;
-  // Far enough, if not to the end: it keeps every bound.
+  // Good enough, though not at the optimum: the solution keeps every bound.
   if (status == Ipopt::Maximum_Iterations_Exceeded) good = keeps_bounds(problem, nlp->points());
   return {status_name(status), good, nlp->points()};
 }

@@ -7,11 +7,11 @@
 
 namespace swathplan {
 
-/// What Ipopt made of a problem.
+/// Ipopt's solution of a problem.
 struct PathSolution {
   std::string status;        ///< Ipopt's verdict in words
   bool good = false;         ///< solved, or stopped at the iteration limit with every bound kept
-  std::vector<Vec2> points;  ///< one for each of the problem's
+  std::vector<Vec2> points;  ///< one for each point of the problem
 };
 
 /// Solves the problem from its start. One solve at a time in the whole process; deterministic.

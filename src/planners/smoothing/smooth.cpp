@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mesh/base/error.h"
+#include "mesh/plane/segments.h"
 #include "planners/smoothing/path_relaxation_internal.h"
 #include "planners/smoothing/path_solver_internal.h"
 #include "planners/smoothing/smooth_samples_internal.h"
@@ -15,19 +16,18 @@
 namespace swathplan {
 namespace {
 
-/// Steps may shrink and grow by this much; the curvature bound holds for the shortest.
+/// Steps may shrink and grow by this share. The curvature bound is that of the shortest step.
 constexpr double kShortest = 0.93;
 constexpr double kLongest = 1.12;
-/// ... and a step that starts shorter may shrink to this share of itself.
+/// A step that is shorter at the start may shrink to this share of itself.
 constexpr double kStartShare = 0.98;
-/// The bound on the second difference is a chord's, the radius an arc's: reserve for the
-/// difference.
+/// Reserve of the radius: the second difference bounds the turn of chords, not that of arcs.
 constexpr double kRadiusShare = 0.97;
-/// Points at either end of a window that its neighbours hold.
+/// Number of points at either end of a window that stay where the neighbouring window put them.
 constexpr std::size_t kHeldPoints = 2;
 constexpr int kMostSmoothIterations = 80;
 
-/// The problem of the points [from, to) with the rest where it is.
+/// The problem of the points [from, to). All other points stay.
 class Window {
  public:
   Window(const Samples& s, const std::vector<Vec2>& wanted, const std::vector<Vec2>& now,
@@ -46,22 +46,6 @@ class Window {
       problem_.high.push_back(middle + Vec2::Constant(r));
     }
     add_shape();
-  }
-
-  void add_spacing(const Neighbour& pair) {
-    const double scale = 1.0 / s_.step;
-    LinearTerm term{{}, scale * o_.width_m, o_.spacing_weight};
-    for (const auto& [i, sign] : {std::pair{pair.j, 1.0}, std::pair{pair.i, -1.0}}) {
-      for (const int axis : {0, 1}) {
-        const double factor = scale * sign * pair.normal[axis];
-        if (i >= from_ && i < to_) {
-          term.parts.emplace_back(2 * static_cast<int>(i - from_) + axis, factor);
-        } else {
-          term.target -= factor * now_[i][axis];
-        }
-      }
-    }
-    problem_.terms.push_back(std::move(term));
   }
 
   [[nodiscard]] const PathProblem& problem() const { return problem_; }
@@ -89,8 +73,8 @@ class Window {
     for (int k = 1; k + 1 < n; ++k) add_bend(k);
   }
 
-  /// Steps stay even, but for those that cut a corner of the skeleton, which are shorter from the
-  /// start and may stay so.
+  /// Keeps steps even. Steps that cut off a corner of the skeleton are shorter from the start and
+  /// may stay so.
   void add_step(int k) {
     const auto c = static_cast<std::size_t>(k);
     if (held_[c] && held_[c + 1]) return;
@@ -102,8 +86,8 @@ class Window {
         {{{k, -1.0}, {k + 1, 1.0}}, low * low, kLongest * kLongest * step * step});
   }
 
-  /// Curvature: the bend between two steps at most that of the radius. A corner of the skeleton
-  /// with too little room for that keeps its bend; it is mended, or counted, afterwards.
+  /// Bounds the bend between two steps by that of the radius. A corner of the skeleton with too
+  /// little room for that keeps its bend. It is replaced, or counted, afterwards.
   void add_bend(int k) {
     const auto c = static_cast<std::size_t>(k);
     if (held_[c - 1] && held_[c] && held_[c + 1]) return;
@@ -137,37 +121,32 @@ void check(const SmoothOptions& o) {
   require(o.window > o.overlap + 2 * kHeldPoints, "window", static_cast<double>(o.window));
 }
 
-/// Every window once, each held to what its neighbours found.
+/// Solves every window once. Each one joins on to what the window before it found.
 void solve_windows(const Samples& s, const std::vector<Vec2>& wanted,
-                   const std::vector<double>& room, const std::vector<Neighbour>& pairs,
-                   const SmoothOptions& o, SmoothResult& result) {
+                   const std::vector<double>& room, const SmoothOptions& o, SmoothResult& result) {
   const std::size_t n = s.points.size();
-  std::size_t pair = 0;
   for (std::size_t from = 0; from < n;) {
     const std::size_t to = std::min(n, from + o.window);
-    Window window(s, wanted, result.points, room, o, from, to);
-    while (pair > 0 && pairs[pair - 1].i >= from) --pair;
-    while (pair < pairs.size() && pairs[pair].i < from) ++pair;
-    for (; pair < pairs.size() && pairs[pair].i < to; ++pair) window.add_spacing(pairs[pair]);
+    const Window window(s, wanted, result.points, room, o, from, to);
     const PathSolution solved = solved_by_ipopt(window.problem(), kMostSmoothIterations);
     ++result.windows;
     ++result.status[solved.status];
-    const std::size_t settled = to == n ? n : to - o.overlap;
+    const std::size_t solved_to = to == n ? n : to - o.overlap;
     if (solved.good) {
-      // The part to be solved again goes on from what was found.
+      // The next window starts from these points where the two overlap.
       for (std::size_t k = 0; k < solved.points.size(); ++k)
         result.points[from + k] = solved.points[k];
     } else {
       ++result.failed_windows;
       const auto kept = static_cast<std::ptrdiff_t>(from > 0 ? from + kHeldPoints : from);
-      std::copy(s.points.begin() + kept, s.points.begin() + static_cast<std::ptrdiff_t>(settled),
+      std::copy(s.points.begin() + kept, s.points.begin() + static_cast<std::ptrdiff_t>(solved_to),
                 result.points.begin() + kept);
-      result.failed_m += s.step * static_cast<double>(settled - from);
+      result.failed_m += s.step * static_cast<double>(solved_to - from);
       std::fill(result.smoothed.begin() + static_cast<std::ptrdiff_t>(from),
-                result.smoothed.begin() + static_cast<std::ptrdiff_t>(settled), char{0});
+                result.smoothed.begin() + static_cast<std::ptrdiff_t>(solved_to), char{0});
     }
     if (to == n) break;
-    from = settled - kHeldPoints;
+    from = solved_to - kHeldPoints;
   }
 }
 
@@ -186,7 +165,6 @@ SmoothResult smooth_path(const std::vector<Vec2>& skeleton, const SmoothOptions&
   const Samples s = sampled(line, o.step_m);
   const std::size_t n = s.points.size();
   const std::vector<double> room = rooms(s, o);
-  const std::vector<Neighbour> pairs = neighbours(s, o);
   result.points = s.points;
   result.along = s.along;
   result.smoothed.assign(n, 1);
@@ -199,7 +177,7 @@ SmoothResult smooth_path(const std::vector<Vec2>& skeleton, const SmoothOptions&
     }
     wanted = o.pull(result.points, result.along);
   }
-  solve_windows(s, wanted, room, pairs, o, result);
+  solve_windows(s, wanted, room, o, result);
   return result;
 }
 
@@ -218,7 +196,7 @@ ArcPath with_arcs(const std::vector<Vec2>& path, double step_deg) {
     }
     const Vec2 in = path[i] - path[i - 1];
     const Vec2 out = path[i + 1] - path[i];
-    const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+    const double turn = turn_angle(in, out);
     const double reach = 0.5 * std::min(in.norm(), out.norm());
     const double tangent = std::tan(0.5 * std::abs(turn));
     constexpr double kStraight = 1e-9;
@@ -233,8 +211,8 @@ ArcPath with_arcs(const std::vector<Vec2>& path, double step_deg) {
     const Vec2 arm = -side * (reach / tangent) * Vec2(-u.y(), u.x());
     const auto parts = static_cast<int>(
         std::max(1.0, std::ceil(std::abs(turn) * 180.0 / std::numbers::pi / step_deg)));
-    // Steps of almost equal length would leave a sliver between their arcs: the arcs meet in its
-    // middle.
+    // Between two steps of almost equal length a sliver would be left between their arcs. The arcs
+    // meet in the middle of it instead.
     constexpr double kSliverM = 0.02;
     const bool sliver =
         result.points.size() > 1 && (result.points.back() - begin).norm() < kSliverM;

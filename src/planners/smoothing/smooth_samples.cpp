@@ -1,10 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <unordered_map>
-#include <utility>
 
 #include "planners/smoothing/smooth_samples_internal.h"
 
@@ -44,8 +42,8 @@ class PointGrid {
   std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
 };
 
-/// The deviation bound, or a share of the distance to the nearest other pass if that is less: two
-/// passes that may move so far do not meet.
+/// The deviation bound, or a share of the distance to the nearest other pass if that is less. Two
+/// passes that move no farther do not meet.
 std::vector<double> shares_between_passes(const Samples& s, const SmoothOptions& o) {
   constexpr double kPassShare = 0.47;
   constexpr double kOtherPass = 2.5;  // as far along the path, in distances, as no turn is
@@ -78,31 +76,6 @@ Samples sampled(const LinePoses& line, double step) {
     s.along.push_back(at);
   }
   return s;
-}
-
-std::vector<Neighbour> neighbours(const Samples& s, const SmoothOptions& o) {
-  constexpr double kAbeam = 0.35;  // of the unit vector: at most so far ahead or astern
-  std::vector<Neighbour> result;
-  if (!(o.spacing_weight > 0.0)) return result;
-  const PointGrid grid(s.points, 0.5 * o.width_m);
-  for (std::size_t i = 1; i + 1 < s.points.size(); ++i) {
-    const Vec2 u = (s.points[i + 1] - s.points[i - 1]).normalized();
-    std::array<double, 2> best{o.width_m, o.width_m};
-    std::array<std::size_t, 2> found{i, i};
-    grid.around(s.points[i], 2, [&](std::size_t j) {
-      const Vec2 way = s.points[j] - s.points[i];
-      const double distance = way.norm();
-      if (distance < 2.0 * s.step || std::abs(u.dot(way)) > kAbeam * distance) return;
-      const std::size_t side = u.x() * way.y() - u.y() * way.x() > 0.0 ? 0 : 1;
-      if (distance >= best[side]) return;
-      best[side] = distance;
-      found[side] = j;
-    });
-    for (const std::size_t j : found) {
-      if (j != i) result.push_back({i, j, (s.points[j] - s.points[i]).normalized()});
-    }
-  }
-  return result;
 }
 
 std::vector<double> rooms(const Samples& s, const SmoothOptions& o) {

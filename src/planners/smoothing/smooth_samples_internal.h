@@ -8,12 +8,6 @@
 
 namespace swathplan {
 
-/// A pass beside point i, `normal` pointing there.
-struct Neighbour {
-  std::size_t i, j;
-  Vec2 normal;
-};
-
 /// Points at even steps along the skeleton.
 struct Samples {
   std::vector<Vec2> points;
@@ -21,9 +15,6 @@ struct Samples {
   double step = 0.0;
 };
 [[nodiscard]] Samples sampled(const LinePoses& line, double step);
-
-/// For each point the nearest pass to port and to starboard within W that runs about along it.
-[[nodiscard]] std::vector<Neighbour> neighbours(const Samples& s, const SmoothOptions& o);
 
 /// How far each point may move: box half-sides.
 [[nodiscard]] std::vector<double> rooms(const Samples& s, const SmoothOptions& o);

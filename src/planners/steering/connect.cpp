@@ -17,18 +17,21 @@
 namespace swathplan {
 namespace {
 
-/// Lines are shortened in these steps, in radii: fine ones up to a little over a radius, which a
-/// quarter turn at the water's edge needs; and up to kMostCut.
+/// Lines are shortened in these steps, in radii. Steps are fine up to a little over one radius: a
+/// quarter turn at the water's edge needs that much. Coarser steps go up to kMostCut.
 constexpr double kFineStep = 1.0 / 16.0;
 constexpr double kFineCut = 1.25;
 constexpr double kCutStep = 0.25;
 constexpr double kMostCut = 4.0;
-/// Times as many poses as else that the last search may take.
+/// The last search may take this many times the usual number of poses ...
 constexpr int kPatience = 4;
-/// ... and the part of them that the search for a wider join may.
+/// ... and the search for a wider join this share of the usual number.
 constexpr int kHaste = 4;
-/// Places at which a line is left and the next begun that searches try.
+/// Number of places to leave a line, and to begin the next, that searches try.
 constexpr std::size_t kTries = 3;
+/// An estimate that is this many times too short misleads a search: it fills the water before a
+/// wall with poses until none are left, and the way around the wall is found in stages only.
+constexpr double kMisled = 5.0;
 
 Pose turned_back(const Pose& pose) { return {pose.position, -pose.course}; }
 
@@ -37,7 +40,8 @@ struct Cut {
   Pose pose;
 };
 
-/// The poses at which a line may be left (or, turned round, begun), least cut first.
+/// The poses at which a line may be left, the one with the smallest cut first. For a line turned
+/// round these are the poses at which it may begin.
 std::vector<Cut> cuts(const LinePoses& line, const ConnectOptions& options,
                       const AreaQuery& water) {
   const double most = std::min(options.longest_cut * line.length_m(), kMostCut * options.radius_m);
@@ -71,6 +75,13 @@ std::string at_text(const Vec2& local, const Frame& frame) {
 }  // namespace
 
 struct Connector::Impl {
+  /// How a search over poses estimates the metres to go, and which searches are made: those that
+  /// the estimate leads, or those that it misleads.
+  struct Estimate {
+    bool in_sight = false;
+    bool misled = false;
+  };
+
   AreaQuery water;
   WaterPath ways;
   ConnectOptions options;
@@ -84,7 +95,7 @@ struct Connector::Impl {
   }
 
   [[nodiscard]] bool in_water(const std::vector<Vec2>& points) const {
-    // Coarsely first: most paths that leave the water leave it far.
+    // A coarse test first: most paths that leave the water leave it by far.
     constexpr std::size_t kStride = 16;
     for (std::size_t i = 0; i < points.size(); i += kStride) {
       if (!water.contains(points[i])) return false;
@@ -115,7 +126,7 @@ struct Connector::Impl {
                                                    const std::vector<Cut>& to,
                                                    const PoseSearchOptions& how) const;
   [[nodiscard]] std::optional<Connection> by_way(const std::vector<Cut>& from,
-                                                 const std::vector<Cut>& to, bool in_sight,
+                                                 const std::vector<Cut>& to, Estimate estimate,
                                                  PoseSearchOptions how) const;
   [[nodiscard]] std::optional<Connection> by_stages(const std::vector<Cut>& from,
                                                     const std::vector<Cut>& to,
@@ -129,7 +140,7 @@ struct Connector::Impl {
                                           const PoseSearchOptions& how) const;
 };
 
-/// The Dubins path that costs least with what it takes off the lines.
+/// The Dubins path with the lowest cost, cuts of the lines included.
 std::optional<Connection> Connector::Impl::by_curve(const std::vector<Cut>& from,
                                                     const std::vector<Cut>& to,
                                                     const PoseSearchOptions& how) const {
@@ -187,12 +198,12 @@ std::vector<Vec2> Connector::Impl::written(const std::vector<Pose>& poses,
 }
 
 std::optional<Connection> Connector::Impl::by_way(const std::vector<Cut>& from,
-                                                  const std::vector<Cut>& to, bool in_sight,
+                                                  const std::vector<Cut>& to, Estimate estimate,
                                                   PoseSearchOptions how) const {
   const auto leave = ones_with_room(from, true, how);
   const auto arrive = ones_with_room(to, false, how);
-  if (in_sight) how.most_poses *= kPatience;
-  for (std::size_t k = 0; k < (in_sight ? 1 : kTries); ++k) {
+  if (estimate.in_sight) how.most_poses *= kPatience;
+  for (std::size_t k = 0; k < (estimate.in_sight ? 1 : kTries); ++k) {
     if (leave.empty() || arrive.empty()) break;
     const Cut& a = leave[std::min(k * leave.size() / kTries, leave.size() - 1)];
     const Cut& b = arrive[std::min(k * arrive.size() / kTries, arrive.size() - 1)];
@@ -200,8 +211,10 @@ std::optional<Connection> Connector::Impl::by_way(const std::vector<Cut>& from,
     if (!way) break;
     const TautWay taut(*way);
     const auto to_go = [&](const Vec2& p) {
-      return in_sight ? taut.to_go_in_sight(p, water) : taut.to_go(p);
+      return estimate.in_sight ? taut.to_go_in_sight(p, water) : taut.to_go(p);
     };
+    const bool misled = kMisled * to_go(a.pose.position) < taut.length_m();
+    if (misled != estimate.misled) continue;
     const auto poses = search_poses(a.pose, b.pose, to_go, how);
     if (!poses) continue;
     std::vector<Vec2> points = written(*poses, how);
@@ -211,7 +224,7 @@ std::optional<Connection> Connector::Impl::by_way(const std::vector<Cut>& from,
   return std::nullopt;
 }
 
-/// From stage to stage; a stage that cannot be reached is left out, the last one not.
+/// Goes from stage to stage. A stage that cannot be reached is left out, but never the last one.
 std::optional<std::vector<Pose>> Connector::Impl::staged(const std::vector<Pose>& stages,
                                                          const std::vector<Vec2>& way,
                                                          const PoseSearchOptions& how) const {
@@ -230,7 +243,7 @@ std::optional<std::vector<Pose>> Connector::Impl::staged(const std::vector<Pose>
   return poses;
 }
 
-/// Long ways in stages along the taut way: a search over the whole of such a way runs out of poses.
+/// Goes a long way in stages along the taut way. A single search over all of it runs out of poses.
 std::optional<Connection> Connector::Impl::by_stages(const std::vector<Cut>& from,
                                                      const std::vector<Cut>& to,
                                                      const PoseSearchOptions& how) const {
@@ -265,9 +278,12 @@ Connection Connector::join(const std::vector<Vec2>& before, const std::vector<Ve
   if (auto found = impl_->by_curve(from, to, impl_->search)) return *found;
   // The plain estimate is quick and nearly always enough.
   for (const bool in_sight : {false, true}) {
-    if (auto found = impl_->by_way(from, to, in_sight, impl_->search)) return *found;
+    if (auto found = impl_->by_way(from, to, {in_sight, false}, impl_->search)) return *found;
   }
   if (auto found = impl_->by_stages(from, to, impl_->search)) return *found;
+  for (const bool in_sight : {false, true}) {
+    if (auto found = impl_->by_way(from, to, {in_sight, true}, impl_->search)) return *found;
+  }
   Connection none;
   const Vec2& a = before.back();
   const Vec2& b = after.front();
@@ -295,7 +311,7 @@ std::optional<Connection> Connector::wider_join(const std::vector<Vec2>& before,
   const auto from = impl_->sides(before, false, lines);
   const auto to = impl_->sides(after, true, lines);
   if (auto found = impl_->by_curve(from, to, how)) return found;
-  return impl_->by_way(from, to, false, how);
+  return impl_->by_way(from, to, {}, how);
 }
 
 bool Connector::has_room(const std::vector<Vec2>& line) const {
@@ -318,11 +334,5 @@ std::vector<Vec2> Connector::curve(const Pose& from, const Pose& to) const {
 }
 
 bool Connector::in_water(const std::vector<Vec2>& points) const { return impl_->in_water(points); }
-
-std::vector<Vec2> Connector::search(const Pose& from, const Pose& to) const {
-  const auto to_go = [&](const Vec2& p) { return (p - to.position).norm(); };
-  const auto poses = search_poses(from, to, to_go, impl_->search);
-  return poses ? impl_->written(*poses, impl_->search) : std::vector<Vec2>{};
-}
 
 }  // namespace swathplan

@@ -12,31 +12,31 @@ namespace swathplan {
 
 /// How two lines are joined.
 enum class JoinKind {
-  curve,      ///< one forward path of arcs and straights
-  way,        ///< several of them around what lies between
-  infeasible  ///< no forward path was found; the points are a plain way, for the record
+  curve,      ///< one Dubins path
+  way,        ///< several Dubins paths, around land between the lines
+  infeasible  ///< no forward path was found; the points are a way that the boat cannot steer
 };
 
 /// The way from one line to the next.
 struct Connection {
   JoinKind kind = JoinKind::infeasible;
-  std::vector<Vec2> points;   ///< from the shortened end of one to the shortened begin of the other
+  std::vector<Vec2> points;   ///< from where the line before is left to where the next is met
   double off_before_m = 0.0;  ///< taken off the end of the line before
-  double off_after_m = 0.0;   ///< taken off the begin of the line after
-  std::string reason;         ///< of an infeasible one, one sentence with the place; else empty
+  double off_after_m = 0.0;   ///< taken off the beginning of the line after
+  std::string reason;         ///< why it is infeasible: one sentence with the place; else empty
 };
 
 struct ConnectOptions {
   double radius_m = 1.5;  ///< smallest turn radius, > 0
-  /// Longest share of a line that may be given up at either end for a turn that fits.
+  /// The largest share of a line that may be cut off at either end so that a turn fits.
   double longest_cut = 0.45;
   Frame frame = {};  ///< of the seafloor's file: reasons name places in its coordinates
 };
 
-/// Joins lines through safe water by forward motion with turns of at least a radius. A line that
-/// runs up to the water's edge is shortened there as far as the turn needs.
-/// Guarantees: (1) a connection that is not infeasible stays in the water (to kDust of its length)
-/// and turns no tighter than the radius; (2) its first and last course are those of the lines.
+/// Joins lines through safe water by forward motion, with turns no tighter than a radius. A line
+/// that runs up to the water's edge is shortened there, as far as the turn needs.
+/// Guarantees: (1) a feasible connection stays in the water (to kDust of its length) and turns no
+/// tighter than the radius; (2) its first and last course are those of the lines.
 /// Cost: a Dubins path and its check; where it is blocked, a search over poses (kMostPoses).
 class Connector {
  public:
@@ -46,26 +46,22 @@ class Connector {
   Connector(Connector&&) noexcept;
   Connector& operator=(Connector&&) noexcept;
 
-  /// `before` and `after`: points of the lines in sailing order. A line of one point has the course
-  /// that suits the join.
+  /// `before` and `after`: points of the lines in sailing order. A line of one point may be sailed
+  /// on any course.
   [[nodiscard]] Connection join(const std::vector<Vec2>& before,
                                 const std::vector<Vec2>& after) const;
-  /// The same with turns of `radius_m`, not below the options'; empty where a quick search finds
-  /// none.
+  /// The same with turns of `radius_m`, which is not below the options' radius. Empty where a quick
+  /// search finds no such join.
   [[nodiscard]] std::optional<Connection> wider_join(const std::vector<Vec2>& before,
                                                      const std::vector<Vec2>& after,
                                                      double radius_m) const;
-  /// Whether the boat can come onto a line and leave it: before and behind it, or what is left of
-  /// it when as much is cut off as may be, a quarter turn or as much straight on stays in the
-  /// water.
+  /// Whether the boat can come onto a line and leave it. At both ends a quarter turn, or the same
+  /// length straight on, must stay in the water. The line may be cut as far as allowed for that.
   [[nodiscard]] bool has_room(const std::vector<Vec2>& line) const;
   /// The shortest Dubins path between two poses that stays in the water; empty if none does.
   [[nodiscard]] std::vector<Vec2> curve(const Pose& from, const Pose& to) const;
   /// True if the path stays in the water.
   [[nodiscard]] bool in_water(const std::vector<Vec2>& points) const;
-  /// Any forward path between two poses through the water, shortest as far as a search over a
-  /// lattice of poses tells; empty if it finds none.
-  [[nodiscard]] std::vector<Vec2> search(const Pose& from, const Pose& to) const;
 
   static constexpr int kMostPoses = 60000;
   static constexpr double kDust = 1e-6;
@@ -75,6 +71,6 @@ class Connector {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A metre taken off a line costs this much more than a metre of way: the line is what is wanted.
+/// A metre taken off a line costs this many metres of way, since lines are what the survey is for.
 inline constexpr double kLineWorth = 2.0;
 }  // namespace swathplan

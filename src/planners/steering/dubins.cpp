@@ -9,14 +9,14 @@ namespace swathplan {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-/// A turn this near to a full circle is none: rounding took it below 0.
+/// A turn this near to a full circle is no turn: rounding took it below 0.
 constexpr double kFullTurn = 1e-9;
 
-/// Turning circles that overlap by less than this (radii squared) touch: one turn passes into the
-/// other with no straight between.
+/// Turning circles that overlap by less than this (radii squared) only touch. Then one turn passes
+/// into the other with no straight between.
 constexpr double kTouching = 1e-9;
 
-/// Turning circles whose centres are nearer than this (radii) are one.
+/// Turning circles whose centres are nearer than this (radii) are the same circle.
 constexpr double kOneCircle = 1e-7;
 
 double turn_mod(double angle) {
@@ -44,7 +44,8 @@ struct Word {
   double t, p, q;
 };
 
-/// The six words for poses a distance d (radii) apart that head a and b off the line between them.
+/// The six words for two poses at a distance d, in radii. Their courses make the angles a and b
+/// with the line between them.
 class Words {
  public:
   Words(double distance, double alpha, double beta)
@@ -104,12 +105,6 @@ class Words {
 DubinsPath::DubinsPath(const Pose& from, double radius_m, const std::array<int, 3>& turn,
                        const std::array<double, 3>& piece_m)
     : from_(from), radius_(radius_m), turn_(turn), piece_(piece_m) {}
-
-double DubinsPath::turning_m() const {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) sum += turn_[k] != 0 ? piece_[k] : 0.0;
-  return sum;
-}
 
 Pose DubinsPath::at(double along_m) const {
   Pose pose = from_;

@@ -21,8 +21,6 @@ class DubinsPath {
              const std::array<double, 3>& piece_m);
 
   [[nodiscard]] double length_m() const { return piece_[0] + piece_[1] + piece_[2]; }
-  /// Metres of it that turn.
-  [[nodiscard]] double turning_m() const;
   /// Where the boat is after `along_m` metres, in [0, length_m()].
   [[nodiscard]] Pose at(double along_m) const;
   /// Points at an even spacing of at most `step_m`, both ends included.
@@ -35,21 +33,21 @@ class DubinsPath {
   std::array<double, 3> piece_;
 };
 
-/// Every Dubins path (CSC and CCC words) of turns of `radius_m` > 0 between two poses, shortest
-/// first: the first is the shortest forward path in open water whose turns are no tighter. Never
-/// empty. Coinciding poses give a path of no length. Method: [shkel-dubins].
+/// Every Dubins path (CSC and CCC words) between two poses with turns of `radius_m` > 0, shortest
+/// first. The first one is the shortest forward path in open water whose turns are no tighter.
+/// Never empty. Two equal poses give a path of length 0. Method: [shkel-dubins].
 [[nodiscard]] std::vector<DubinsPath> dubins_paths(const Pose& from, const Pose& to,
                                                    double radius_m);
 
-/// Length of the shortest of them, metres.
+/// Length of the shortest Dubins path, metres.
 [[nodiscard]] double dubins_length_m(const Pose& from, const Pose& to, double radius_m);
 
 /// Curves are written in chords of at most this many metres ...
 inline constexpr double kCurveStepM = 0.2;
-/// ... and this change of course.
+/// ... and by no more than this change of course.
 inline constexpr double kCurveStepDeg = 3.0;
-/// Where chords of unequal length meet, a path as written bends tighter than the curves that it is
-/// written from, by up to a few per cent: turns are planned wider by this share.
+/// Turns are planned wider than the smallest radius by this share. Where chords of unequal length
+/// meet, a path of chords bends tighter than its curves, by up to a few per cent.
 inline constexpr double kRadiusReserve = 0.02;
 /// A radius is kept if it falls short by no more than this share.
 inline constexpr double kRadiusDust = 1e-6;

@@ -8,19 +8,21 @@
 #include <vector>
 
 #include "mesh/base/angle.h"
+#include "mesh/plane/segments.h"
 #include "planners/steering/line_poses.h"
 
 namespace swathplan {
 namespace {
 
-/// Shorter than this share of a curve's chord, a chord is a sliver: first the one, and where that
-/// does not do, the other.
+/// A chord shorter than this share of a curve's chord is a sliver. The second share is tried where
+/// the first one does not widen the bend.
 constexpr double kSlivers[] = {0.4, 0.8};
-/// A chord of a curve bends by no more than this many steps of a curve; more is a corner.
+/// Two chords of one curve meet at no more than this many steps of kCurveStepDeg. A larger change
+/// of course is a corner.
 constexpr double kCornerSteps = 2.0;
 /// Chords on either side of a tight bend that may be evened out with it.
 constexpr std::size_t kAround = 24;
-/// Moves about one tight bend before it is given up.
+/// Moves around one tight bend before it is given up.
 constexpr int kMostMoves = 600;
 
 /// Waypoints at one place.
@@ -29,9 +31,10 @@ struct Place {
   std::size_t first, last;
 };
 
-class Evener {
+/// Moves the places of a route until no bend is tight, and marks the bends that stay tight.
+class BendWidener {
  public:
-  Evener(Route& route, double radius, const Connector& connector)
+  BendWidener(Route& route, double radius, const Connector& connector)
       : route_(route),
         connector_(connector),
         radius_(radius),
@@ -46,12 +49,12 @@ class Evener {
     }
   }
 
-  std::size_t evened() {
+  std::size_t widened_or_marked() {
     std::size_t marked = 0;
     bool moved = false;
     for (std::size_t k = 1; k + 1 < places_.size(); ++k) {
       if (!tight(k)) continue;
-      if (settled(k)) {
+      if (widened(k)) {
         moved = true;
         continue;
       }
@@ -71,7 +74,7 @@ class Evener {
     const Vec2 in = places_[k].position - places_[k - 1].position;
     const Vec2 out = places_[k + 1].position - places_[k].position;
     return {in.norm(), out.norm(),
-            std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)))};
+            std::abs(turn_angle(in, out))};
   }
   [[nodiscard]] bool marked(std::size_t k) const {
     return !route_.waypoints[places_[k].last].feasible ||
@@ -84,14 +87,14 @@ class Evener {
            !marked(k);
   }
 
-  /// Evens the chords about tight bend k; if that does not do, all is as it was. The outermost
-  /// places looked at stay, so that no bend beyond them changes.
-  [[nodiscard]] bool settled(std::size_t k) {
+  /// Evens the chords around tight bend k. False: the bend stayed tight, and no place moved. The
+  /// outermost places that are looked at never move, so that no bend beyond them changes.
+  [[nodiscard]] bool widened(std::size_t k) {
     return std::any_of(std::begin(kSlivers), std::end(kSlivers),
-                       [&](double sliver) { return settled(k, sliver * chord_); });
+                       [&](double sliver) { return widened(k, sliver * chord_); });
   }
 
-  [[nodiscard]] bool settled(std::size_t k, double sliver_m) {
+  [[nodiscard]] bool widened(std::size_t k, double sliver_m) {
     const std::size_t from = k > kAround ? k - kAround : 0;
     std::size_t to = std::min(places_.size(), k + kAround + 1);
     const std::vector<Place> before(places_.begin() + static_cast<std::ptrdiff_t>(from),
@@ -133,8 +136,8 @@ class Evener {
     return found;
   }
 
-  /// One move that makes bend k wider, and the place that moved; only places between `from` and the
-  /// last before `to` may.
+  /// Makes bend k wider by one move and returns the place that moved. Only places after `from` and
+  /// before the last one ahead of `to` may move. Empty: no move was possible.
   [[nodiscard]] std::optional<std::size_t> eased(std::size_t k, std::size_t from, std::size_t to,
                                                  double sliver_m) {
     const Bend b = bend(k);
@@ -149,7 +152,7 @@ class Evener {
     return free && chords && centred(k) ? std::optional(k) : std::nullopt;
   }
 
-  /// The ends of the sliver after place k become one. What holds from the later one on stays.
+  /// Merges the two ends of the sliver after place k. The later one's waypoints stay.
   [[nodiscard]] bool merged(std::size_t k) {
     const Vec2 middle = 0.5 * (places_[k].position + places_[k + 1].position);
     if (!connector_.in_water({places_[k - 1].position, middle, places_[k + 2].position})) {
@@ -160,14 +163,14 @@ class Evener {
     return true;
   }
 
-  /// Place k moves along the circle through it and its neighbours to half-way between them.
+  /// Moves place k along the circle through it and its neighbours, to half-way between them.
   [[nodiscard]] bool centred(std::size_t k) {
     const Vec2& a = places_[k - 1].position;
     const Vec2& c = places_[k + 1].position;
     const Vec2 chord = c - a;
     const Vec2 in = places_[k].position - a;
     const Vec2 out = c - places_[k].position;
-    const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+    const double turn = turn_angle(in, out);
     const Vec2 starboard(chord.y(), -chord.x());
     const Vec2 middle = 0.5 * (a + c) + 0.5 * std::tan(0.5 * turn) * starboard;
     if (!connector_.in_water({a, middle, c})) return false;
@@ -196,7 +199,7 @@ class Evener {
 }  // namespace
 
 std::size_t even_bends(Route& route, double radius_m, const Connector& connector) {
-  return Evener(route, radius_m, connector).evened();
+  return BendWidener(route, radius_m, connector).widened_or_marked();
 }
 
 }  // namespace swathplan

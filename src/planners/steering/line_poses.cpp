@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/plane/segments.h"
+
 namespace swathplan {
 
 LinePoses::LinePoses(const std::vector<Vec2>& line) {
@@ -44,7 +46,7 @@ double LinePoses::radius_at(std::size_t i) const {
   if (i == 0 || i + 1 >= points_.size()) return std::numeric_limits<double>::infinity();
   const Vec2 in = points_[i] - points_[i - 1];
   const Vec2 out = points_[i + 1] - points_[i];
-  const double bend = std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)));
+  const double bend = std::abs(turn_angle(in, out));
   const double tangent = std::tan(0.5 * bend);
   const double half = 0.5 * std::min(in.norm(), out.norm());
   return tangent > 0.0 ? half / tangent : std::numeric_limits<double>::infinity();

@@ -8,32 +8,33 @@
 
 namespace swathplan {
 
-/// A line of points by the metres sailed along it. Points nearer than kCoincidentM to the one
-/// before are dropped.
+/// Finds poses on a line of points by the metres sailed along it. A point nearer than kCoincidentM
+/// to the point before it is dropped.
 class LinePoses {
  public:
   explicit LinePoses(const std::vector<Vec2>& line);
 
-  /// A place on the line: where, heading how, between which points of the line as given.
+  /// A place on the line and the course there.
   struct Place {
     double along_m = 0.0;
     Pose pose;
-    std::optional<std::size_t> point;  ///< index into points(), where it is one of them
-    std::size_t source = 0;  ///< last point of the line as given that lies at or before it
+    std::optional<std::size_t> point;  ///< index into points(), if the place is one of them
+    std::size_t source = 0;            ///< last point of the given line at or before the place
   };
 
   [[nodiscard]] double length_m() const { return along_.back(); }
   /// True if the line has no course: fewer than two points that differ.
   [[nodiscard]] bool is_point() const { return points_.size() < 2; }
-  /// The place `along_m` metres along the line, in [0, length_m()]. Within short segments, which
-  /// belong to curves, it is moved to a point of the line, where the course is the mean of that
-  /// before and after: cutting a chord would leave a bend that is tighter than the curve.
+  /// The place `along_m` metres along the line, in [0, length_m()]. Short segments are chords of a
+  /// curve, and a cut chord would leave a bend tighter than the curve. A place on one moves to a
+  /// point of the line, where the course is the mean of the courses before and after.
   [[nodiscard]] Place at(double along_m) const;
 
   [[nodiscard]] const std::vector<Vec2>& points() const { return points_; }
   [[nodiscard]] const std::vector<double>& along() const { return along_; }
   [[nodiscard]] const std::vector<std::size_t>& source() const { return source_; }
-  /// Radius that point i asks for: as RouteFigures::min_turn_radius_m; infinite at the ends.
+  /// The turn radius that point i asks for, as in RouteFigures::min_turn_radius_m; infinite at the
+  /// ends.
   [[nodiscard]] double radius_at(std::size_t i) const;
 
   static constexpr double kCoincidentM = 1e-6;

@@ -17,7 +17,8 @@ constexpr int kCourses = 24;
 constexpr double kArc = 2.0 * std::numbers::pi / (kCourses / 2);
 /// Straights of the lattice, in lengths of an arc.
 constexpr double kStraights[] = {1.0, 4.0};
-/// The goal is tried from each pose nearer than this (radii), else from each kTryEvery-th.
+/// A Dubins path to the goal is tried from every pose nearer than this (radii), and from each
+/// kTryEvery-th of the others.
 constexpr double kNearGoal = 8.0;
 constexpr int kTryEvery = 8;
 
@@ -106,7 +107,7 @@ class Search {
   std::priority_queue<Item, std::vector<Item>, std::greater<>> open_;
 };
 
-/// Drops poses between two that a Dubins path joins no longer than by way of them.
+/// Drops poses where a direct Dubins path between their neighbours is no longer.
 std::vector<Pose> taut(const std::vector<Pose>& way, const PoseSearchOptions& options) {
   std::vector<double> along{0.0};
   for (std::size_t i = 1; i < way.size(); ++i) {
@@ -136,8 +137,8 @@ double curve_step_m(double radius_m) {
 }
 
 bool stays_in_water(const DubinsPath& path, const PoseSearchOptions& options) {
-  // Nearly all paths that leave the water do so at one of a few places: writing thousands of points
-  // for each would cost a hundred times as much.
+  // A few places are tested first: nearly all paths that leave the water fail there. To write the
+  // thousands of points of each path would cost a hundred times as much.
   constexpr int kPlaces = 24;
   const double length = path.length_m();
   const int places = length > kPlaces * curve_step_m(options.radius_m) ? kPlaces : 2;

@@ -10,20 +10,21 @@
 
 namespace swathplan {
 
-/// What a search over poses asks of the water.
+/// Limits of a search over poses, and its questions about the water.
 struct PoseSearchOptions {
   double radius_m = 1.5;  ///< smallest turn radius, > 0
   int most_poses = 150000;
-  /// Whether a place lies in the water; asked first, at a few places of a path.
+  /// Whether a place lies in the water. The search first asks this at a few places of a path.
   std::function<bool(const Vec2&)> place_in_water;
   /// Whether a path of points stays in the water.
   std::function<bool(const std::vector<Vec2>&)> in_water;
 };
 
-/// A forward path from one pose to another, as poses joined by shortest Dubins paths that stay in
-/// the water: A* over poses (a lattice of places and courses; arcs of the radius to either side and
-/// straights), each try closed by a Dubins path, then pulled taut. `to_go(p)`: a lower bound or
-/// estimate of the metres from p to the goal. Deterministic. Empty: none within `most_poses`.
+/// A forward path from one pose to another, given as poses that Dubins paths in the water join.
+/// Method: A* over a lattice of places and courses, whose steps are straights and arcs of the
+/// radius to either side. From time to time a Dubins path to the goal is tried. At the end the path
+/// is pulled taut. `to_go(p)` estimates the metres from p to the goal, best as a lower bound.
+/// Deterministic. Empty: no path was found within `most_poses` poses.
 [[nodiscard]] std::optional<std::vector<Pose>> search_poses(
     const Pose& from, const Pose& to, const std::function<double(const Vec2&)>& to_go,
     const PoseSearchOptions& options);

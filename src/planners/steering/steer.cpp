@@ -11,26 +11,28 @@
 namespace swathplan {
 namespace {
 
-/// How far before and behind a tight turn it may be left, radii.
+/// Distances before and behind a tight turn at which the line may be left and met again, radii.
 constexpr double kReach[] = {0.3, 0.6, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0};
-/// A metre of line replaced costs this much of a metre added (or left out: a short cut covers
-/// less).
+/// A metre of line that is replaced costs this much of a metre that is added. A metre left out
+/// costs as much as one added: a short cut covers less.
 constexpr double kReplaced = 0.15;
 
-struct Mend {
+/// A Dubins path instead of a stretch of the line.
+struct Replacement {
   double cost = std::numeric_limits<double>::infinity();
-  double from = 0.0, to = 0.0;  // along the line
+  double from = 0.0, to = 0.0;  // metres along the line
   std::vector<Vec2> points;
 };
 
-class Mender {
+/// Finds the cheapest replacement for the tight turns between two places of a line.
+class ReplacementSearch {
  public:
-  Mender(const LinePoses& line, double radius, const Connector& connector,
-         const std::function<bool(const std::vector<Vec2>&)>& allowed)
+  ReplacementSearch(const LinePoses& line, double radius, const Connector& connector,
+                    const std::function<bool(const std::vector<Vec2>&)>& allowed)
       : line_(line), radius_(radius), connector_(connector), allowed_(allowed) {}
 
-  [[nodiscard]] Mend best(double first, double last, double from, double to) const {
-    Mend best;
+  [[nodiscard]] Replacement best(double first, double last, double from, double to) const {
+    Replacement best;
     std::vector<Candidate> all;
     for (const double before : kReach) {
       const auto a = line_.at(std::max(from, first - before * radius_));
@@ -60,7 +62,7 @@ class Mender {
     LinePoses::Place a, b;
   };
 
-  /// A tight turn is no place to begin or end at.
+  /// A replacement must not begin or end at a tight turn.
   [[nodiscard]] bool tight(const LinePoses::Place& place) const {
     return place.point && line_.radius_at(*place.point) < radius_ * (1.0 - kRadiusDust);
   }
@@ -87,36 +89,36 @@ double length_of(const std::vector<Vec2>& points) {
   return sum;
 }
 
-/// Writes the line anew with its tight turns mended, from its beginning to its end.
-class Rewriter {
+/// Writes the line from its beginning to its end, with its tight turns replaced.
+class LineRewriter {
  public:
-  Rewriter(const LinePoses& line, double radius, const Mender& mender)
-      : line_(line), radius_(radius), mender_(mender) {}
+  LineRewriter(const LinePoses& line, double radius, const ReplacementSearch& search)
+      : line_(line), radius_(radius), search_(search) {}
 
   [[nodiscard]] Steering rewritten() {
     const auto& along = line_.along();
     for (std::size_t i = 1; i + 1 < line_.points().size(); ++i) {
       if (along[i] < done_ || !tight(i)) continue;
       double first = along[i];
-      Mend mend = mender_.best(first, first, done_, line_.length_m());
-      if (mend.points.empty()) mend = with_those_that_follow(i);
-      if (last_ && (mend.points.empty() || is_loop(mend))) {
-        // The turn before may have been left too late for this one: both in one.
-        Mend joint = mender_.best(last_->tight_m, first, last_->done_m, line_.length_m());
-        if (joint.cost < last_->cost + mend.cost) {
+      Replacement replacement = search_.best(first, first, done_, line_.length_m());
+      if (replacement.points.empty()) replacement = with_those_that_follow(i);
+      if (last_ && (replacement.points.empty() || is_loop(replacement))) {
+        // The path for the turn before may end too near to this one. Try one path for both.
+        Replacement joint = search_.best(last_->tight_m, first, last_->done_m, line_.length_m());
+        if (joint.cost < last_->cost + replacement.cost) {
           first = last_->tight_m;
-          mend = std::move(joint);
+          replacement = std::move(joint);
           take_back();
         }
       }
-      mend.points.empty() ? leave(along[i]) : write(first, mend);
+      replacement.points.empty() ? leave(along[i]) : write(first, replacement);
     }
     copy(line_, done_, line_.length_m(), result_.points);
     return std::move(result_);
   }
 
  private:
-  /// The mend that was written last, and what stood before it.
+  /// The replacement that was written last, and the state before it.
   struct Written {
     double tight_m, done_m, cost, added_m;
     std::size_t points;
@@ -126,21 +128,21 @@ class Rewriter {
   [[nodiscard]] bool tight(std::size_t i) const {
     return line_.radius_at(i) < radius_ * (1.0 - kRadiusDust);
   }
-  [[nodiscard]] static double added_m(const Mend& mend) {
-    return length_of(mend.points) - (mend.to - mend.from);
+  [[nodiscard]] static double added_m(const Replacement& replacement) {
+    return length_of(replacement.points) - (replacement.to - replacement.from);
   }
-  [[nodiscard]] bool is_loop(const Mend& mend) const {
-    return added_m(mend) > std::numbers::pi * radius_;
+  [[nodiscard]] bool is_loop(const Replacement& replacement) const {
+    return added_m(replacement) > std::numbers::pi * radius_;
   }
 
-  /// One mend for turn i together with the tight turns that follow closely.
-  [[nodiscard]] Mend with_those_that_follow(std::size_t i) const {
+  /// One replacement for turn i and the tight turns that follow closely.
+  [[nodiscard]] Replacement with_those_that_follow(std::size_t i) const {
     const auto& along = line_.along();
     std::size_t j = i;
     for (std::size_t k = i + 1; k + 1 < along.size() && along[k] < along[i] + 4.0 * radius_; ++k) {
       if (tight(k)) j = k;
     }
-    return j == i ? Mend{} : mender_.best(along[i], along[j], done_, line_.length_m());
+    return j == i ? Replacement{} : search_.best(along[i], along[j], done_, line_.length_m());
   }
 
   void leave(double along) {
@@ -151,21 +153,22 @@ class Rewriter {
     last_.reset();
   }
 
-  void write(double tight_m, const Mend& mend) {
-    const bool loop = is_loop(mend);
-    last_ = {tight_m, done_, mend.cost, added_m(mend), result_.points.size(), loop};
-    copy(line_, done_, mend.from, result_.points);
+  void write(double tight_m, const Replacement& replacement) {
+    const bool loop = is_loop(replacement);
+    last_ = {tight_m, done_, replacement.cost, added_m(replacement), result_.points.size(), loop};
+    copy(line_, done_, replacement.from, result_.points);
     while (!result_.points.empty() &&
-           (result_.points.back().position - mend.points.front()).norm() <
+           (result_.points.back().position - replacement.points.front()).norm() <
                LinePoses::kCoincidentM) {
       result_.points.pop_back();
     }
-    for (std::size_t k = 0; k < mend.points.size(); ++k) {
-      const double share = static_cast<double>(k) / static_cast<double>(mend.points.size() - 1);
-      const auto place = line_.at(mend.from + share * (mend.to - mend.from));
-      result_.points.push_back({mend.points[k], place.source, false});
+    for (std::size_t k = 0; k < replacement.points.size(); ++k) {
+      const double share =
+          static_cast<double>(k) / static_cast<double>(replacement.points.size() - 1);
+      const auto place = line_.at(replacement.from + share * (replacement.to - replacement.from));
+      result_.points.push_back({replacement.points[k], place.source, false});
     }
-    done_ = std::nextafter(mend.to, std::numeric_limits<double>::infinity());
+    done_ = std::nextafter(replacement.to, std::numeric_limits<double>::infinity());
     ++result_.mended;
     result_.loops += loop ? 1 : 0;
     result_.added_m += last_->added_m;
@@ -181,9 +184,9 @@ class Rewriter {
 
   const LinePoses& line_;
   double radius_;
-  const Mender& mender_;
+  const ReplacementSearch& search_;
   Steering result_;
-  double done_ = 0.0;  // what is written already
+  double done_ = 0.0;  // metres of the line that are written already
   std::optional<Written> last_;
 };
 
@@ -192,8 +195,8 @@ class Rewriter {
 Steering steered(const std::vector<Vec2>& given, double radius_m, const Connector& connector,
                  const std::function<bool(const std::vector<Vec2>&)>& allowed) {
   const LinePoses line(given);
-  const Mender mender(line, radius_m, connector, allowed);
-  return Rewriter(line, radius_m, mender).rewritten();
+  const ReplacementSearch search(line, radius_m, connector, allowed);
+  return LineRewriter(line, radius_m, search).rewritten();
 }
 
 }  // namespace swathplan

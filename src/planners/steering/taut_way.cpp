@@ -5,9 +5,9 @@
 namespace swathplan {
 namespace {
 
-/// Straights of a way that a stage lies on, radii.
+/// A straight of a way has stages if it is at least this long, radii.
 constexpr double kStage = 4.0;
-/// ... at most so far from its ends, radii.
+/// Stages lie at most this far from the ends of their straight, radii.
 constexpr double kNearCorner = 5.0;
 
 }  // namespace

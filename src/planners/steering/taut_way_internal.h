@@ -11,7 +11,7 @@
 
 namespace swathplan {
 
-/// What is left to go along a taut way from near it.
+/// A way pulled taut, and the metres left to go along it from places near it.
 class TautWay {
  public:
   explicit TautWay(std::vector<Vec2> points) : points_(std::move(points)), left_(points_.size()) {
@@ -20,15 +20,18 @@ class TautWay {
     }
   }
 
-  /// Metres from p over the nearest of the way's points to its end.
+  [[nodiscard]] double length_m() const { return left_.front(); }
+
+  /// Metres from p to the end of the way. From p the boat goes straight to the nearest point of one
+  /// segment; the segment with the shortest total is taken.
   [[nodiscard]] double to_go(const Vec2& p) const {
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < points_.size(); ++i) best = std::min(best, by(i, p).metres);
     return best;
   }
 
-  /// The same over a point that p sees: where the way doubles back around a mole, its far end may
-  /// be near and yet a long way off.
+  /// The same, only over points that p can see. Where the way doubles back around a mole, its end
+  /// may be near and yet a long way off.
   [[nodiscard]] double to_go_in_sight(const Vec2& p, const AreaQuery& water) const {
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
@@ -58,8 +61,8 @@ class TautWay {
   std::vector<double> left_;
 };
 
-/// The places near either end of a way's straights, or in the middle of short ones, on their
-/// courses: between two of them lies one corner, or none.
+/// Adds poses on the straights of a way, with the courses of these straights: one near either end,
+/// or one in the middle of a short straight. Between two of them lies at most one corner.
 void add_stages(const std::vector<Vec2>& way, double radius, std::vector<Pose>& stages);
 
 }  // namespace swathplan

@@ -11,7 +11,7 @@
 namespace swathplan {
 namespace {
 
-/// A way may leave the water by this much of its length: the rounding of cutting it at the outline.
+/// A way may leave the water by this share of its length, since cuts at the outline are rounded.
 constexpr double kDust = 1e-6;
 /// Lattice cells are no finer than this, metres.
 constexpr double kFinestCell = 0.5;
@@ -133,7 +133,8 @@ std::vector<std::uint32_t> WaterPath::Impl::search(std::uint32_t from, std::uint
 std::vector<Vec2> WaterPath::Impl::pulled_taut(const std::vector<Vec2>& way) const {
   std::vector<Vec2> taut{way.front()};
   for (std::size_t i = 0; i + 1 < way.size();) {
-    // The farthest point in sight, by doubling and halving: sight lost is seldom found again.
+    // Finds the farthest point in sight by doubling and halving: a point behind a hidden one is
+    // seldom in sight.
     std::size_t reach = i + 1;
     std::size_t step = 1;
     const auto sees = [&](std::size_t j) {

@@ -18,8 +18,9 @@ class WaterPath {
   WaterPath(WaterPath&&) noexcept;
   WaterPath& operator=(WaterPath&&) noexcept;
 
-  /// The way from `from` to `to`, both included; straight where that stays in the water. Empty
-  /// where none exists (separate waters). A* on a lattice of at most kMostCells, then pulled taut.
+  /// The way from `from` to `to`, both included. It is straight where that stays in the water.
+  /// Empty where no way exists (separate waters). Method: A* on a lattice of at most kMostCells
+  /// cells, then the way is pulled taut.
   [[nodiscard]] std::optional<std::vector<Vec2>> find(const Vec2& from, const Vec2& to) const;
 
   static constexpr double kMostCells = 1e6;

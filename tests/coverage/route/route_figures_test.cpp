@@ -11,7 +11,7 @@ namespace {
 using testing::rectangle;
 using testing::route_through;
 
-const FanAngles kFan{Angle::degrees(60), Angle::degrees(60)};
+const FanAngles kLegFan{Angle::degrees(60), Angle::degrees(60)};
 
 struct Flat {
   Seafloor seafloor = flat(100, 100, 10);
@@ -33,7 +33,7 @@ std::vector<Vec2> arc(const Vec2& centre, double radius, double from_deg, double
 }
 
 TEST(RouteFigures, LengthTimeAndKinds) {
-  Route route = route_through({{10, 10}, {40, 10}, {40, 50}, {10, 50}}, kFan);
+  Route route = route_through({{10, 10}, {40, 10}, {40, 50}, {10, 50}}, kLegFan);
   route.waypoints[1].kind = LegKind::transit;
   route.waypoints[1].log = false;
   route.waypoints[1].speed_mps = 4.0;
@@ -52,7 +52,7 @@ TEST(RouteFigures, LengthTimeAndKinds) {
 }
 
 TEST(RouteFigures, ContingencyCountsAgainstTheEndurance) {
-  const Route route = route_through({{10, 10}, {90, 10}}, kFan);
+  const Route route = route_through({{10, 10}, {90, 10}}, kLegFan);
   const Flat f;
   Vehicle vehicle;
   const auto of = [&](double contingency, double endurance_s) {
@@ -73,41 +73,41 @@ TEST(RouteFigures, ContingencyCountsAgainstTheEndurance) {
 }
 
 TEST(RouteFigures, ACurveOfManyBendsCountsOnceAndHasItsRadius) {
-  const RouteFigures f = figures(route_through(arc({50, 50}, 20, 0, 90, 60), kFan));
+  const RouteFigures f = figures(route_through(arc({50, 50}, 20, 0, 90, 60), kLegFan));
   EXPECT_EQ(f.turns, 1U);
   EXPECT_NEAR(f.total_turning_deg, 88.5, 1e-6);
   EXPECT_NEAR(f.min_turn_radius_m, 20.0, 0.01);
   EXPECT_EQ(f.sharp_turns, 0U);
-  EXPECT_EQ(figures(route_through(arc({50, 50}, 20, 0, 180, 90), kFan)).sharp_turns, 1U);
+  EXPECT_EQ(figures(route_through(arc({50, 50}, 20, 0, 180, 90), kLegFan)).sharp_turns, 1U);
 }
 
 TEST(RouteFigures, BendsToEitherSideAreDifferentCurves) {
   auto points = arc({30, 50}, 10, 180, 0, 60);
   const auto back = arc({50, 50}, 10, 180, 360, 60);
   points.insert(points.end(), back.begin() + 1, back.end());
-  EXPECT_EQ(figures(route_through(points, kFan)).turns, 2U);
+  EXPECT_EQ(figures(route_through(points, kLegFan)).turns, 2U);
 }
 
 TEST(RouteFigures, AStraightRouteHasNoTurnAndNoRadius) {
   const RouteFigures f =
-      figures(route_through({{10, 10}, {20, 20}, {20, 20}, {35, 35}, {70, 70}}, kFan));
+      figures(route_through({{10, 10}, {20, 20}, {20, 20}, {35, 35}, {70, 70}}, kLegFan));
   EXPECT_EQ(f.turns, 0U);
   EXPECT_TRUE(f.min_turn_radius_m > 1e6);
 }
 
 TEST(RouteFigures, ACornerBetweenLongSegmentsTakesTheArcThatFits) {
-  const RouteFigures f = figures(route_through({{10, 10}, {30, 10}, {30, 90}}, kFan));
+  const RouteFigures f = figures(route_through({{10, 10}, {30, 10}, {30, 90}}, kLegFan));
   EXPECT_NEAR(f.min_turn_radius_m, 10.0, 1e-9);
-  EXPECT_NEAR(figures(route_through({{10, 10}, {50, 10}, {20, 10}}, kFan)).min_turn_radius_m, 0.0,
+  EXPECT_NEAR(figures(route_through({{10, 10}, {50, 10}, {20, 10}}, kLegFan)).min_turn_radius_m, 0.0,
               1e-9);
 }
 
 TEST(RouteFigures, MetresOutsideTheWaterAreMeasured) {
   Area water = rectangle(20, 0, 80, 100);
   water[0].holes.push_back({{45, 45}, {45, 55}, {55, 55}, {55, 45}});
-  const RouteFigures f = figures(route_through({{10, 50}, {90, 50}}, kFan), water);
+  const RouteFigures f = figures(route_through({{10, 50}, {90, 50}}, kLegFan), water);
   EXPECT_NEAR(f.outside_water_m, 30.0, 1e-6);
-  EXPECT_EQ(figures(route_through({{20, 0}, {20, 100}, {80, 100}}, kFan), water).outside_water_m,
+  EXPECT_EQ(figures(route_through({{20, 0}, {20, 100}, {80, 100}}, kLegFan), water).outside_water_m,
             0.0);
 }
 
@@ -118,10 +118,10 @@ TEST(RouteFigures, LeastWaterUnderTheKeelIsFoundBetweenWaypoints) {
     if ((v.head<2>() - Vec2(50, 50)).norm() < 0.1) v.z() = -4;
   }
   const DepthQuery depths(s);
-  const RouteFigures f = route_figures(route_through({{0, 50}, {100, 50}}, kFan), {},
+  const RouteFigures f = route_figures(route_through({{0, 50}, {100, 50}}, kLegFan), {},
                                        rectangle(0, 0, 100, 100), depths, 1, 1);
   EXPECT_NEAR(f.min_under_keel_m, 3.7, 1e-9);
-  const RouteFigures nowhere = route_figures(route_through({{-9, -9}, {-5, -9}}, kFan), {},
+  const RouteFigures nowhere = route_figures(route_through({{-9, -9}, {-5, -9}}, kLegFan), {},
                                              rectangle(0, 0, 100, 100), depths, 1, 1);
   EXPECT_TRUE(std::isinf(nowhere.min_under_keel_m));
   EXPECT_NEAR(nowhere.unknown_depth_m, 4.0, 1e-9);
@@ -134,7 +134,7 @@ TEST(RouteFigures, APathOverLandHasNoLeastWaterUnderTheKeel) {
   const DepthQuery depths(s);
   const Area water = unite(rectangle(0, 0, 38, 100), rectangle(62, 0, 100, 100));
   const auto over = [&](const Area& where) {
-    return route_figures(route_through({{20, 50}, {80, 50}}, kFan), {}, where, depths, 1, 1);
+    return route_figures(route_through({{20, 50}, {80, 50}}, kLegFan), {}, where, depths, 1, 1);
   };
   EXPECT_TRUE(std::isinf(over(water).min_under_keel_m));
   EXPECT_NEAR(over(water).unknown_depth_m, 20.0, 3.0);
@@ -144,12 +144,12 @@ TEST(RouteFigures, APathOverLandHasNoLeastWaterUnderTheKeel) {
 }
 
 TEST(RouteFigures, BendsOfRoundingLeaveARouteStraight) {
-  const RouteFigures f = figures(route_through({{0, 0}, {40, 1e-13}, {80, 0}}, kFan));
+  const RouteFigures f = figures(route_through({{0, 0}, {40, 1e-13}, {80, 0}}, kLegFan));
   EXPECT_TRUE(std::isinf(f.min_turn_radius_m));
 }
 
 TEST(RouteFigures, CrossingsOfTheRouteWithItself) {
-  EXPECT_EQ(figures(route_through({{10, 10}, {30, 30}, {30, 10}, {10, 30}}, kFan)).self_crossings,
+  EXPECT_EQ(figures(route_through({{10, 10}, {30, 30}, {30, 10}, {10, 30}}, kLegFan)).self_crossings,
             1U);
 }
 

@@ -9,7 +9,7 @@
 namespace swathplan {
 namespace {
 
-const FanAngles kFan{Angle::degrees(60), Angle::degrees(60)};
+const FanAngles kThinFan{Angle::degrees(60), Angle::degrees(60)};
 
 /// Two lines of points each 0.1 m, joined by a half circle; slow in the turn's second half.
 Route two_lines() {
@@ -20,7 +20,7 @@ Route two_lines() {
     points.emplace_back(5.0 - 5.0 * std::cos(a), 50.0 + 5.0 * std::sin(a));
   }
   for (int i = 0; i <= 500; ++i) points.emplace_back(10.0, 50.0 - 0.1 * i);
-  Route route = testing::route_through(points, kFan);
+  Route route = testing::route_through(points, kThinFan);
   auto& w = route.waypoints;
   for (std::size_t i = 0; i < w.size(); ++i) {
     if (i < 500) w[i].line = 1;

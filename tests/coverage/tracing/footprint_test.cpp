@@ -8,7 +8,7 @@
 namespace swathplan {
 namespace {
 
-using testing::Ground;
+using testing::TestGround;
 using testing::route_through;
 
 /// One footprint in the plane of its ping, metres.
@@ -86,7 +86,7 @@ class Expected {
   std::vector<int> state_;
 };
 
-void compare(const Ground& g, const Route& route, const Sonar& sonar, double resolution,
+void compare(const TestGround& g, const Route& route, const Sonar& sonar, double resolution,
              double spacing) {
   ScoreOptions options;
   options.resolution_m = resolution;
@@ -123,14 +123,14 @@ Route star(const Vec2& centre, double reach, double half_deg) {
 }
 
 TEST(Footprint, MatchesALoopOverAllBeamsOnAFlatFloor) {
-  const Ground g(flat(60, 60, 10), Nodata::wall, testing::rectangle(5, 5, 55, 55));
+  const TestGround g(flat(60, 60, 10), Nodata::wall, testing::rectangle(5, 5, 55, 55));
   Sonar sonar;
   sonar.beams = 32;
   compare(g, star({30, 30}, 12, 25), sonar, 0.31, 0.7);
 }
 
 TEST(Footprint, MatchesALoopOverAllBeamsOnASlope) {
-  const Ground g(tilted(60, 60, 5, Angle::degrees(35)), Nodata::wall,
+  const TestGround g(tilted(60, 60, 5, Angle::degrees(35)), Nodata::wall,
                  testing::rectangle(5, 5, 55, 55));
   Sonar sonar;
   sonar.beams = 48;
@@ -138,7 +138,7 @@ TEST(Footprint, MatchesALoopOverAllBeamsOnASlope) {
 }
 
 TEST(Footprint, MatchesALoopOverAllBeamsOverWallsAndHoles) {
-  const Ground g(testing::rough_floor(40, 0.15, 4, {0, 0}), Nodata::wall,
+  const TestGround g(testing::rough_floor(40, 0.15, 4, {0, 0}), Nodata::wall,
                  testing::rectangle(0, 0, 39, 39));
   Sonar sonar;
   sonar.beams = 64;
@@ -147,7 +147,7 @@ TEST(Footprint, MatchesALoopOverAllBeamsOverWallsAndHoles) {
 
 TEST(Footprint, DoesNotBridgeAShadow) {
   // East of the step lie 30 m of shadow (see the ray tests): no footprint in its middle.
-  const Ground g(stepped(200, 100, 5, 20), Nodata::open, testing::rectangle(0, 0, 200, 100));
+  const TestGround g(stepped(200, 100, 5, 20), Nodata::open, testing::rectangle(0, 0, 200, 100));
   const Route route = route_through({{90, 20}, {90, 80}}, {Angle::degrees(70), Angle::degrees(80)});
   Vehicle vehicle;
   vehicle.draft_m = 0;
@@ -163,7 +163,7 @@ TEST(Footprint, DoesNotBridgeAShadow) {
 }
 
 TEST(Footprint, ASinglePassOverFlatGroundLeavesNoGapBetweenBeams) {
-  const Ground g(flat(100, 100, 5), Nodata::wall, testing::rectangle(38, 30, 62, 70));
+  const TestGround g(flat(100, 100, 5), Nodata::wall, testing::rectangle(38, 30, 62, 70));
   const double half = std::atan(12.8 / 4.7) * 180 / M_PI;
   Sonar narrow;
   narrow.beam_width_across = Angle::degrees(0.01);

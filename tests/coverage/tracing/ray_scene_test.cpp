@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "coverage/scenes.h"
-#include "coverage/tracing/border_edges_internal.h"
 #include "mesh/synthetic.h"
 
 namespace swathplan {
@@ -104,26 +103,6 @@ TEST(RayScene, ABoatExactlyAboveTheBorderLooksInButNotOut) {
     EXPECT_EQ(trace_one(wall, {30, 15.2, 0}, direction(90, t)).range_m, 0.0F) << t;
     EXPECT_GT(trace_one(wall, {30, 15.2, 0}, direction(270, t)).range_m, 0.0F) << t;
   }
-}
-
-TEST(BorderEdges, AreThoseOfOneFaceAndRunWithTheDataOnTheirLeft) {
-  const Seafloor s = testing::rough_floor(6, 0.0, 1, {0, 0});
-  const auto edges = border_edges(s);
-  EXPECT_EQ(edges.size(), 20U);
-  double twice_area = 0.0;
-  for (const auto& e : edges) {
-    const Vec3& a = s.vertices[e[0]];
-    const Vec3& b = s.vertices[e[1]];
-    twice_area += a.x() * b.y() - a.y() * b.x();
-  }
-  EXPECT_NEAR(twice_area, 50.0, 1e-9);
-}
-
-TEST(BorderEdges, ASeamBetweenSplitVerticesIsNoBorder) {
-  Seafloor s;
-  add_plate(s, 0, 0, 10, 10, 5);
-  add_plate(s, 10, 0, 20, 10, 5);
-  EXPECT_EQ(border_edges(s).size(), 6U);
 }
 
 // First hit in double precision over all triangles.

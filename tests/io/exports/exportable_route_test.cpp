@@ -7,6 +7,7 @@
 
 #include "io/files/atomic_file.h"
 #include "io/files/lonlat.h"
+#include "io/route/read_route.h"
 #include "io/route/route_csv.h"
 #include "io/route/route_geojson.h"
 #include "io/sample_plan.h"
@@ -18,8 +19,8 @@ namespace swathplan {
 namespace {
 
 void expect_lonlat(const PlacedRoute& placed, const Route& route, const Frame& frame) {
-  const auto read = internal::LonLat(placed.frame).from_local(positions(placed.route.waypoints));
-  const auto planned = internal::LonLat(frame).from_local(positions(route.waypoints));
+  const auto read = LonLat(placed.frame).from_local(positions(placed.route.waypoints));
+  const auto planned = LonLat(frame).from_local(positions(route.waypoints));
   ASSERT_EQ(read.size(), planned.size());
   for (std::size_t i = 0; i < read.size(); ++i) EXPECT_LT((read[i] - planned[i]).norm(), 2e-9) << i;
 }
@@ -66,7 +67,7 @@ TEST(ExportableRoute, AnotherCrsThanThatOfTheFileIsRefused) {
     (void)read_exportable_route(csv, parse_crs("EPSG:32632"));
     FAIL();
   } catch (const InvalidInput& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("--crs"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("<CRS>"));
   }
 }
 
@@ -88,6 +89,17 @@ TEST(ExportableRoute, CsvOfOthersMayLackFans) {
   const ExportableRoute read = read_exportable_route(files.folder.path() / "lines.csv", "");
   EXPECT_EQ(read.planar.route.waypoints.size(), 2U);
   for (const std::string& note : read.notes) EXPECT_EQ(note.find(" fan"), std::string::npos);
+}
+
+TEST(ExportableRoute, DropsTheNoteOnFansAndKeepsAllOthers) {
+  const Files files;
+  const std::filesystem::path path = files.folder.path() / "lines.csv";
+  write_text_atomically(path, "x,y,kind\n0,0,line\n50,0,line\n");
+  const RouteDefaults defaults{.fan = FanAngles{Angle::degrees(60), Angle::degrees(60)}};
+  const ImportedRoute imported = read_route(path, {}, defaults);
+  EXPECT_TRUE(imported.fan_note.has_value());
+  ASSERT_EQ(imported.notes.size(), 2U);  // no speed; the last row is no end
+  EXPECT_EQ(read_exportable_route(path, "").notes, imported.notes);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ std::vector<Vec2> sailed(const GeographicRoute& route, const Frame& frame) {
     for (int k = 0; k < 4; ++k) points.emplace_back(route.lonlat[i - 1] + 0.25 * k * step);
   }
   points.push_back(route.lonlat.back());
-  return internal::LonLat(frame).to_local(points);
+  return LonLat(frame).to_local(points);
 }
 
 TEST(GeographicRoute, StaysWithinTheToleranceAndSaysHowFar) {

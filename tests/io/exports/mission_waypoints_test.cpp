@@ -41,7 +41,7 @@ std::vector<Vec2> path_of(const std::vector<Item>& items, const Frame& frame) {
   for (std::size_t i = 1; i < items.size(); ++i) {
     if (items[i].command == 16) lonlat.emplace_back(items[i].longitude, items[i].latitude);
   }
-  return internal::LonLat(frame).to_local(lonlat);
+  return LonLat(frame).to_local(lonlat);
 }
 
 TEST(MissionWaypoints, LeadAlongTheRouteAtItsSpeeds) {
@@ -77,9 +77,8 @@ TEST(MissionWaypoints, LeadAlongTheRouteAtItsSpeeds) {
   // The speed of a leg is set before the waypoint that it leads to: here the end of line 1.
   EXPECT_EQ(items[1].command, 178);
   EXPECT_EQ(items[4].command, 178);
-  EXPECT_NEAR(
-      internal::LonLat(frame).to_local({Vec2(items[3].longitude, items[3].latitude)})[0].y(), 100.0,
-      0.001);
+  EXPECT_NEAR(LonLat(frame).to_local({Vec2(items[3].longitude, items[3].latitude)})[0].y(), 100.0,
+              0.001);
 }
 
 TEST(MissionWaypoints, PartsJoinAndEndWithLines) {

@@ -27,9 +27,7 @@ Route zigzag() {
   return route;
 }
 
-Frame local_frame() {
-  return {.origin = Vec2(100.0, 200.0), .metres_per_unit = 1.0, .crs_wkt = ""};
-}
+Frame csv_frame() { return {.origin = Vec2(100.0, 200.0), .metres_per_unit = 1.0, .crs_wkt = ""}; }
 
 void expect_same(const Route& a, const Route& b, double tolerance_m) {
   ASSERT_EQ(a.waypoints.size(), b.waypoints.size());
@@ -49,8 +47,8 @@ void expect_same(const Route& a, const Route& b, double tolerance_m) {
   }
 }
 
-std::string why(const std::string& text, const Frame& frame = local_frame(),
-                const RouteDefaults& defaults = {}) {
+std::string csv_refusal(const std::string& text, const Frame& frame = csv_frame(),
+                        const RouteDefaults& defaults = {}) {
   try {
     (void)parse_route_csv(text, "lines.csv", frame, defaults);
   } catch (const InvalidInput& error) {
@@ -59,10 +57,10 @@ std::string why(const std::string& text, const Frame& frame = local_frame(),
   return "accepted";
 }
 
-const std::string kHead = "x_m,y_m,port_deg,stbd_deg\n";
+const std::string kCsvHead = "x_m,y_m,port_deg,stbd_deg\n";
 
 TEST(RouteCsv, ComesBackAsItWasWritten) {
-  for (const Frame& frame : {local_frame(), test::utm_frame()}) {
+  for (const Frame& frame : {csv_frame(), test::utm_frame()}) {
     const Route route = zigzag();
     const ImportedRoute back = parse_route_csv(route_csv(route, frame), "r.csv", frame, {});
     expect_same(route, back.route, 2e-6);
@@ -86,7 +84,7 @@ TEST(RouteCsv, HoldsTheColumnsOfTheContractInFileCoordinates) {
                              .fan = std::nullopt,
                              .region = std::nullopt});
   EXPECT_EQ(
-      route_csv(route, local_frame()),
+      route_csv(route, csv_frame()),
       "seq,line,kind,log,x_m,y_m,lon_deg,lat_deg,port_deg,stbd_deg,speed_mps,region,status\r\n"
       "0,3,run_in,0,100.5,199.75,,,45,50.5,1.5,2,infeasible\r\n"
       "1,,end,1,110,200,,,,,2,,\r\n");
@@ -108,31 +106,31 @@ TEST(RouteCsv, ReadsForeignColumnsSeparatorsQuotesAndByteOrderMarks) {
   const std::string text =
       "\xEF\xBB\xBF\"Easting\";Northing;remark\r\n"
       "100;200;\"two\r\nlines; and \"\"quotes\"\"\"\r\n\r\n+150.5;200;\r\n";
-  const ImportedRoute back = parse_route_csv(text, "r.csv", local_frame(), defaults);
+  const ImportedRoute back = parse_route_csv(text, "r.csv", csv_frame(), defaults);
   ASSERT_EQ(back.route.waypoints.size(), 2U);
   EXPECT_EQ(back.route.waypoints[1].position, Vec2(50.5, 0.0));
   EXPECT_EQ(back.route.waypoints[0].kind, LegKind::line);
   EXPECT_EQ(back.route.waypoints[1].kind, LegKind::end);
   EXPECT_EQ(back.route.waypoints[0].fan, defaults.fan);
   EXPECT_EQ(back.route.waypoints[0].speed_mps, 3.0);
-  EXPECT_THAT(back.notes, testing::Contains(HasSubstr("names no fan: 60 degrees to port")));
+  EXPECT_THAT(back.fan_note.value_or(""), HasSubstr("names no fan: 60 degrees to port"));
 }
 
 TEST(RouteCsv, TakesRoutesWithoutAStatusAndWithAnotherOne) {
   const auto feasible = [](const std::string& text) {
-    return parse_route_csv(text, "r.csv", local_frame(), {}).route.waypoints[0].feasible;
+    return parse_route_csv(text, "r.csv", csv_frame(), {}).route.waypoints[0].feasible;
   };
-  EXPECT_TRUE(feasible(kHead + "0,0,40,40\n9,0,40,40\n"));
+  EXPECT_TRUE(feasible(kCsvHead + "0,0,40,40\n9,0,40,40\n"));
   const std::string head = "x_m,y_m,port_deg,stbd_deg,status\n";
   EXPECT_TRUE(feasible(head + "0,0,40,40,surveyed\n9,0,40,40,\n"));
   EXPECT_FALSE(feasible(head + "0,0,40,40,Infeasible\n9,0,40,40,\n"));
 }
 
 TEST(RouteCsv, ReadsFeetAsTheFrameSays) {
-  Frame feet = local_frame();
+  Frame feet = csv_frame();
   feet.metres_per_unit = 0.3048;
   const ImportedRoute back =
-      parse_route_csv(kHead + "100,200,45,45\n200,200,45,45\n", "r.csv", feet, {});
+      parse_route_csv(kCsvHead + "100,200,45,45\n200,200,45,45\n", "r.csv", feet, {});
   EXPECT_NEAR(length_m(back.route), 30.48, 1e-12);
   const std::string again = route_csv(back.route, feet);
   EXPECT_THAT(again, HasSubstr("line,1,100,200,"));
@@ -141,53 +139,57 @@ TEST(RouteCsv, ReadsFeetAsTheFrameSays) {
 
 TEST(RouteCsv, TakesAnEmptyFanForASonarThatIsOff) {
   const ImportedRoute back = parse_route_csv(
-      kHead + "0,0,,\n1,0,45,45\n2,0,,\n", "r.csv", local_frame(),
+      kCsvHead + "0,0,,\n1,0,45,45\n2,0,,\n", "r.csv", csv_frame(),
       {.fan = FanAngles{Angle::degrees(10.0), Angle::degrees(10.0)}, .speed_mps = 2.0});
   EXPECT_FALSE(back.route.waypoints[0].fan.has_value());
   EXPECT_TRUE(back.route.waypoints[1].fan.has_value());
 }
 
 TEST(RouteCsv, RefusesWhatIsNoRoute) {
-  EXPECT_THAT(why("hello world\n"), HasSubstr("'lines.csv' is not a route"));
-  EXPECT_THAT(why("1,2\n3,4\n"), HasSubstr("must name the columns x_m,y_m or lon_deg,lat_deg"));
-  EXPECT_THAT(why("x_m,port_deg\n1,2\n"), HasSubstr("is not a route"));
-  EXPECT_THAT(why(kHead), HasSubstr("has 0 waypoints: a route needs at least two"));
-  EXPECT_THAT(why(kHead + "1,2,45,45\n"), HasSubstr("has 1 waypoint: a route needs at least two"));
-  EXPECT_THAT(why("x,y\n1,2\n3,4\n"), HasSubstr("give the opening angle"));
-  EXPECT_THAT(why("lon,lat,port_deg,stbd_deg\n14,55,45,45\n14.1,55,45,45\n"),
+  EXPECT_THAT(csv_refusal("hello world\n"), HasSubstr("'lines.csv' is not a route"));
+  EXPECT_THAT(csv_refusal("1,2\n3,4\n"),
+              HasSubstr("must name the columns x_m,y_m or lon_deg,lat_deg"));
+  EXPECT_THAT(csv_refusal("x_m,port_deg\n1,2\n"), HasSubstr("is not a route"));
+  EXPECT_THAT(csv_refusal(kCsvHead), HasSubstr("has 0 waypoints: a route needs at least two"));
+  EXPECT_THAT(csv_refusal(kCsvHead + "1,2,45,45\n"),
+              HasSubstr("has 1 waypoint: a route needs at least two"));
+  EXPECT_THAT(csv_refusal("x,y\n1,2\n3,4\n"), HasSubstr("give the opening angle"));
+  EXPECT_THAT(csv_refusal("lon,lat,port_deg,stbd_deg\n14,55,45,45\n14.1,55,45,45\n"),
               HasSubstr("the seafloor has no CRS"));
-  EXPECT_THAT(why("x,y,port_deg\n1,2,45\n3,4,45\n"), HasSubstr("only one of the columns"));
+  EXPECT_THAT(csv_refusal("x,y,port_deg\n1,2,45\n3,4,45\n"), HasSubstr("only one of the columns"));
 }
 
 TEST(RouteCsv, NamesTheRowThatIsWrong) {
   const std::string good = "1,2,45,45\n";
-  EXPECT_THAT(why(kHead + good + "nan,2,45,45\n"),
+  EXPECT_THAT(csv_refusal(kCsvHead + good + "nan,2,45,45\n"),
               HasSubstr("line 3: x_m 'nan' is not a finite number"));
-  EXPECT_THAT(why(kHead + good + "1e999,2,45,45\n"), HasSubstr("is not a finite number"));
-  EXPECT_THAT(why(kHead + good + "1 2,2,45,45\n"), HasSubstr("is not a finite number"));
-  EXPECT_THAT(why(kHead + good + "1,2,45\n"), HasSubstr("line 3: has 3 fields"));
-  EXPECT_THAT(why(kHead + good + "1,2,90,45\n"),
+  EXPECT_THAT(csv_refusal(kCsvHead + good + "1e999,2,45,45\n"),
+              HasSubstr("is not a finite number"));
+  EXPECT_THAT(csv_refusal(kCsvHead + good + "1 2,2,45,45\n"), HasSubstr("is not a finite number"));
+  EXPECT_THAT(csv_refusal(kCsvHead + good + "1,2,45\n"), HasSubstr("line 3: has 3 fields"));
+  EXPECT_THAT(csv_refusal(kCsvHead + good + "1,2,90,45\n"),
               HasSubstr("line 3: port_deg '90' must lie between 0 and 90"));
-  EXPECT_THAT(why(kHead + good + "1,2,45,0\n"), HasSubstr("stbd_deg '0' must lie"));
-  EXPECT_THAT(why(kHead + good + "1,2,45,\n"), HasSubstr("give both half-angles, or neither"));
-  const std::string kinds = "seq,kind,log,line,speed_mps," + kHead;
-  EXPECT_THAT(why(kinds + "0,spiral,1,1,2,1,2,45,45\n1,end,1,1,2,3,2,45,45\n"),
+  EXPECT_THAT(csv_refusal(kCsvHead + good + "1,2,45,0\n"), HasSubstr("stbd_deg '0' must lie"));
+  EXPECT_THAT(csv_refusal(kCsvHead + good + "1,2,45,\n"),
+              HasSubstr("give both half-angles, or neither"));
+  const std::string kinds = "seq,kind,log,line,speed_mps," + kCsvHead;
+  EXPECT_THAT(csv_refusal(kinds + "0,spiral,1,1,2,1,2,45,45\n1,end,1,1,2,3,2,45,45\n"),
               HasSubstr("line 2: kind 'spiral' is none of line, turn"));
-  EXPECT_THAT(why(kinds + "0,end,1,1,2,1,2,45,45\n1,end,1,1,2,3,2,45,45\n"),
+  EXPECT_THAT(csv_refusal(kinds + "0,end,1,1,2,1,2,45,45\n1,end,1,1,2,3,2,45,45\n"),
               HasSubstr("line 2: kind 'end' may stand in the last row only"));
-  EXPECT_THAT(why(kinds + "0,line,2,1,2,1,2,45,45\n1,end,1,1,2,3,2,45,45\n"),
+  EXPECT_THAT(csv_refusal(kinds + "0,line,2,1,2,1,2,45,45\n1,end,1,1,2,3,2,45,45\n"),
               HasSubstr("log '2' must be 0 or 1"));
-  EXPECT_THAT(why(kinds + "0,line,1,1.5,2,1,2,45,45\n1,end,1,1,2,3,2,45,45\n"),
+  EXPECT_THAT(csv_refusal(kinds + "0,line,1,1.5,2,1,2,45,45\n1,end,1,1,2,3,2,45,45\n"),
               HasSubstr("line '1.5' is not a whole number"));
-  EXPECT_THAT(why(kinds + "0,line,1,1,0,1,2,45,45\n1,end,1,1,2,3,2,45,45\n"),
+  EXPECT_THAT(csv_refusal(kinds + "0,line,1,1,0,1,2,45,45\n1,end,1,1,2,3,2,45,45\n"),
               HasSubstr("speed_mps '0' must be greater than 0"));
-  EXPECT_THAT(why(kinds + "5,line,1,1,2,1,2,45,45\n5,end,1,1,2,3,2,45,45\n"),
+  EXPECT_THAT(csv_refusal(kinds + "5,line,1,1,2,1,2,45,45\n5,end,1,1,2,3,2,45,45\n"),
               HasSubstr("line 3: seq '5' does not follow the row before"));
 }
 
 TEST(RouteCsv, RefusesDegreesOutOfRange) {
   const std::string head = "lon_deg,lat_deg,port_deg,stbd_deg\n";
-  EXPECT_THAT(why(head + "485000,6105000,45,45\n485100,6105000,45,45\n", test::utm_frame()),
+  EXPECT_THAT(csv_refusal(head + "485000,6105000,45,45\n485100,6105000,45,45\n", test::utm_frame()),
               HasSubstr("line 2: lon_deg '485000' is no longitude"));
 }
 
@@ -196,17 +198,17 @@ TEST(RouteCsv, WritesNothingForARouteThatIsNotValid) {
       std::filesystem::path(testing::TempDir()) / "swathplan_invalid_route.csv";
   Route route = zigzag();
   route.waypoints.resize(1);
-  EXPECT_THROW(write_route_csv(path, route, local_frame()), InvalidInput);
+  EXPECT_THROW(write_route_csv(path, route, csv_frame()), InvalidInput);
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 TEST(ReadRoute, TellsTheFormatByTheContentAndNamesTheFile) {
   const std::filesystem::path path =
       std::filesystem::path(testing::TempDir()) / "swathplan_route.geojson";
-  write_route_csv(path, zigzag(), local_frame());
-  expect_same(zigzag(), read_route(path, local_frame(), {}).route, 2e-6);
+  write_route_csv(path, zigzag(), csv_frame());
+  expect_same(zigzag(), read_route(path, csv_frame(), {}).route, 2e-6);
   write_text_atomically(path, "  \n");
-  const auto read = [&] { return read_route(path, local_frame(), {}); };
+  const auto read = [&] { return read_route(path, csv_frame(), {}); };
   EXPECT_THAT(read, testing::ThrowsMessage<InvalidInput>(HasSubstr("route.geojson' is empty")));
   write_text_atomically(path, std::string("x_m\0y_m", 7));
   EXPECT_THAT(read, testing::ThrowsMessage<InvalidInput>(HasSubstr("is not a text file")));

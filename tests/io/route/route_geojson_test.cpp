@@ -19,7 +19,7 @@ using testing::HasSubstr;
 const RouteDefaults kFan{.fan = FanAngles{Angle::degrees(60.0), Angle::degrees(60.0)},
                          .speed_mps = 2.0};
 
-Frame local_frame() {
+Frame geojson_frame() {
   return {.origin = Vec2(100.0, 200.0), .metres_per_unit = 1.0, .crs_wkt = ""};
 }
 
@@ -39,8 +39,8 @@ Route changing() {
   return route;
 }
 
-std::string why(const std::string& text, const Frame& frame = local_frame(),
-                const RouteDefaults& defaults = kFan) {
+std::string geojson_refusal(const std::string& text, const Frame& frame = geojson_frame(),
+                            const RouteDefaults& defaults = kFan) {
   try {
     (void)parse_route_geojson(text, "lines.geojson", frame, defaults);
   } catch (const InvalidInput& error) {
@@ -50,7 +50,7 @@ std::string why(const std::string& text, const Frame& frame = local_frame(),
 }
 
 TEST(RouteGeojson, ComesBackAsItWasWritten) {
-  for (const Frame& frame : {local_frame(), test::utm_frame()}) {
+  for (const Frame& frame : {geojson_frame(), test::utm_frame()}) {
     const Route route = changing();
     const ImportedRoute back =
         parse_route_geojson(route_geojson(route, frame), "r.geojson", frame, {});
@@ -96,11 +96,11 @@ TEST(RouteGeojson, IsOneLineStringALegInLongitudeAndLatitude) {
 
 TEST(RouteGeojson, SaysThatMetresAreNotDegrees) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "swathplan_gj";
-  const auto local = write_route_geojson(folder, changing(), local_frame());
+  const auto local = write_route_geojson(folder, changing(), geojson_frame());
   const auto global = write_route_geojson(folder, changing(), test::utm_frame());
   EXPECT_EQ(local.filename(), "route.local.geojson");
   EXPECT_EQ(global.filename(), "route.geojson");
-  const json document = json::parse(route_geojson(changing(), local_frame()));
+  const json document = json::parse(route_geojson(changing(), geojson_frame()));
   EXPECT_THAT(document["local_frame"]["note"].get<std::string>(),
               HasSubstr("not longitude and latitude"));
   EXPECT_EQ(document["features"][0]["geometry"]["coordinates"][0], json::array({68.0, 160.0}));
@@ -114,7 +114,7 @@ TEST(RouteGeojson, JoinsLinesThatDoNotMeetByTransitsWithTheSonarOff) {
         {"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[0,0]}},
         {"type":"Feature","properties":{"port_deg":30,"stbd_deg":40},"geometry":{"type":"MultiLineString",
          "coordinates":[[[110,300],[110,200]],[[110,200],[120,200]]]}}]})";
-  const ImportedRoute back = parse_route_geojson(text, "r.geojson", local_frame(), kFan);
+  const ImportedRoute back = parse_route_geojson(text, "r.geojson", geojson_frame(), kFan);
   const auto& w = back.route.waypoints;
   ASSERT_EQ(w.size(), 5U);
   EXPECT_EQ(w[0].fan, kFan.fan);
@@ -126,7 +126,7 @@ TEST(RouteGeojson, JoinsLinesThatDoNotMeetByTransitsWithTheSonarOff) {
   EXPECT_EQ(w[3].kind, LegKind::line);
   EXPECT_EQ(w[4].kind, LegKind::end);
   EXPECT_THAT(back.notes, testing::Contains(HasSubstr("1 gap between lines was joined")));
-  EXPECT_THAT(back.notes, testing::Contains(HasSubstr("60 degrees to port")));
+  EXPECT_THAT(back.fan_note.value_or(""), HasSubstr("60 degrees to port"));
   EXPECT_THAT(back.notes, testing::Contains(HasSubstr("1 geometries that are no lines")));
 }
 
@@ -142,30 +142,39 @@ TEST(RouteGeojson, ReadsABareLineStringAndAStatedCrs) {
 }
 
 TEST(RouteGeojson, RefusesWhatIsNoRoute) {
-  EXPECT_THAT(why(R"({"type":"LineString","coordinates":[[1,2],[3,)"), HasSubstr("truncated"));
-  EXPECT_THAT(why(R"({"a":1})"), HasSubstr("it has no 'type'"));
-  EXPECT_THAT(why(R"({"type":"FeatureCollection"})"), HasSubstr("'features' is missing"));
-  EXPECT_THAT(why(R"({"type":"Point","coordinates":[1,2]})"), HasSubstr("holds no LineString"));
-  EXPECT_THAT(why(R"({"type":"LineString","coordinates":[[1,2],[3,4]]})"),
+  EXPECT_THAT(geojson_refusal(R"({"type":"LineString","coordinates":[[1,2],[3,)"),
+              HasSubstr("truncated"));
+  EXPECT_THAT(geojson_refusal(R"({"a":1})"), HasSubstr("it has no 'type'"));
+  EXPECT_THAT(geojson_refusal(R"({"type":"FeatureCollection"})"),
+              HasSubstr("'features' is missing"));
+  EXPECT_THAT(geojson_refusal(R"({"type":"Point","coordinates":[1,2]})"),
+              HasSubstr("holds no LineString"));
+  EXPECT_THAT(geojson_refusal(R"({"type":"LineString","coordinates":[[1,2],[3,4]]})"),
               HasSubstr("the seafloor has no CRS"));
-  EXPECT_THAT(why(R"({"type":"LineString","coordinates":[[485000,6105000],[485100,6105000]]})",
-                  test::utm_frame()),
-              HasSubstr("point 0 (485000, 6105000) is no longitude and latitude"));
+  EXPECT_THAT(
+      geojson_refusal(R"({"type":"LineString","coordinates":[[485000,6105000],[485100,6105000]]})",
+                      test::utm_frame()),
+      HasSubstr("point 0 (485000, 6105000) is no longitude and latitude"));
   const std::string head = R"({"local_frame":{},"type":"Feature","properties":)";
   const std::string two = R"(,"geometry":{"type":"LineString","coordinates":[[1,2],[3,4]]}})";
-  EXPECT_THAT(why(R"({"local_frame":{},"type":"LineString","coordinates":[[1,2]]})"),
+  EXPECT_THAT(geojson_refusal(R"({"local_frame":{},"type":"LineString","coordinates":[[1,2]]})"),
               HasSubstr("at least two points"));
-  EXPECT_THAT(why(R"({"local_frame":{},"type":"LineString","coordinates":[[1,2],[3,"x"]]})"),
-              HasSubstr("point 1 is not a pair of numbers"));
-  EXPECT_THAT(why(head + R"({"kind":"spiral"})" + two), HasSubstr("kind \"spiral\" is none of"));
-  EXPECT_THAT(why(head + R"({"log":2})" + two), HasSubstr("log must be 0 or 1"));
-  EXPECT_THAT(why(head + R"({"port_deg":30})" + two), HasSubstr("must both lie between 0 and 90"));
-  EXPECT_THAT(why(head + R"({"port_deg":30,"stbd_deg":90})" + two), HasSubstr("must both lie"));
-  EXPECT_THAT(why(head + R"({"speed_mps":0})" + two), HasSubstr("greater than 0"));
-  EXPECT_THAT(why(head + "{}" + two, local_frame(), {}), HasSubstr("give the opening angle"));
-  EXPECT_THAT(why(R"({"type":"LineString","crs":{"properties":{"name":"nonsense"}},)"
-                  R"("coordinates":[[1,2],[3,4]]})",
-                  test::utm_frame()),
+  EXPECT_THAT(
+      geojson_refusal(R"({"local_frame":{},"type":"LineString","coordinates":[[1,2],[3,"x"]]})"),
+      HasSubstr("point 1 is not a pair of numbers"));
+  EXPECT_THAT(geojson_refusal(head + R"({"kind":"spiral"})" + two),
+              HasSubstr("kind \"spiral\" is none of"));
+  EXPECT_THAT(geojson_refusal(head + R"({"log":2})" + two), HasSubstr("log must be 0 or 1"));
+  EXPECT_THAT(geojson_refusal(head + R"({"port_deg":30})" + two),
+              HasSubstr("must both lie between 0 and 90"));
+  EXPECT_THAT(geojson_refusal(head + R"({"port_deg":30,"stbd_deg":90})" + two),
+              HasSubstr("must both lie"));
+  EXPECT_THAT(geojson_refusal(head + R"({"speed_mps":0})" + two), HasSubstr("greater than 0"));
+  EXPECT_THAT(geojson_refusal(head + "{}" + two, geojson_frame(), {}),
+              HasSubstr("give the opening angle"));
+  EXPECT_THAT(geojson_refusal(R"({"type":"LineString","crs":{"properties":{"name":"nonsense"}},)"
+                              R"("coordinates":[[1,2],[3,4]]})",
+                              test::utm_frame()),
               HasSubstr("names no coordinate reference system"));
 }
 
@@ -175,7 +184,7 @@ TEST(HolidaysGeojson, ListsTheGapsWithAreaCauseAndBox) {
   const Area area{{.outer = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}}, .holes = {}}};
   const CoverageGrid grid = test::swept(area, 0.5, route, 10.0);
   const Holidays gaps = test::plain_score(grid, route, 1e4).holidays;
-  for (const Frame& frame : {local_frame(), test::utm_frame()}) {
+  for (const Frame& frame : {geojson_frame(), test::utm_frame()}) {
     const json document = json::parse(holidays_geojson(gaps, frame));
     EXPECT_EQ(document.contains("local_frame"), frame.crs_wkt.empty());
     EXPECT_EQ(document["holidays"], 2);

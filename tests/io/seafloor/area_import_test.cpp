@@ -60,9 +60,11 @@ std::filesystem::path written(const std::filesystem::path& path, const char* dri
 }
 
 TEST_F(AreaImport, GeoJsonDegreesBecomeLocalMetres) {
-  const Area area = import_area(
-      write("a.geojson", lon_lat_rectangle(Vec2(479100, 6104100), Vec2(479500, 6104300))),
-      utm_frame());
+  const Area area =
+      import_area(
+          write("a.geojson", lon_lat_rectangle(Vec2(479100, 6104100), Vec2(479500, 6104300))),
+          utm_frame())
+          .area;
   ASSERT_EQ(area.size(), 1U);
   const Box2 box = extent(area);
   EXPECT_NEAR((box.min - Vec2(100, 100)).norm(), 0.0, 1e-3);
@@ -80,7 +82,7 @@ TEST_F(AreaImport, EveryFormatAndCrsGivesTheSameArea) {
       {"f.kml", "KML", wgs84_crs()},
       {"g.geojson", "GeoJSON", parse_crs("EPSG:32633")}};
   for (const auto& [name, driver, crs] : files) {
-    const Area area = import_area(written(path(name), driver, crs), utm_frame());
+    const Area area = import_area(written(path(name), driver, crs), utm_frame()).area;
     ASSERT_EQ(area.size(), 1U) << name;
     EXPECT_EQ(area[0].holes.size(), 1U) << name;
     EXPECT_NEAR(area_m2(area), 400.0 * 400.0 - 50.0 * 50.0, 1.0) << name;
@@ -92,26 +94,27 @@ TEST_F(AreaImport, EveryFormatAndCrsGivesTheSameArea) {
 TEST_F(AreaImport, LocalCoordinatesStayLocal) {
   const std::string square =
       geojson(R"({"type":"Polygon","coordinates":[[[0,0],[40,0],[40,30],[0,30],[0,0]]]})");
-  EXPECT_NEAR(area_m2(import_area(write("a.geojson", square), Frame{})), 1200.0, 1e-6);
+  EXPECT_NEAR(area_m2(import_area(write("a.geojson", square), Frame{}).area), 1200.0, 1e-6);
   const std::string eastings = geojson(
       R"({"type":"Polygon","coordinates":[[[479100,6104000],[479140,6104000],[479140,6104030],[479100,6104000]]]})");
-  EXPECT_NEAR(area_m2(import_area(write("b.geojson", eastings), utm_frame())), 600.0, 1e-6);
+  EXPECT_NEAR(area_m2(import_area(write("b.geojson", eastings), utm_frame()).area), 600.0, 1e-6);
 }
 
 TEST_F(AreaImport, OverlappingPolygonsAreUnited) {
   const std::string two = geojson(
       R"({"type":"MultiPolygon","coordinates":[[[[0,0],[4,0],[4,4],[0,4],[0,0]]],[[[20,0],[24,0],[24,4],[20,4],[20,0]]]]})");
-  EXPECT_EQ(import_area(write("a.geojson", two), Frame{}).size(), 2U);
+  EXPECT_EQ(import_area(write("a.geojson", two), Frame{}).area.size(), 2U);
   const std::string both =
       R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]}},{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[2,2],[6,2],[6,6],[2,6],[2,2]]]}}]})";
-  const Area united = import_area(write("b.geojson", both), Frame{});
+  const Area united = import_area(write("b.geojson", both), Frame{}).area;
   EXPECT_EQ(united.size(), 1U);
   EXPECT_NEAR(area_m2(united), 28.0, 1e-6);
 }
 
 TEST_F(AreaImport, RefusesWhatIsNoArea) {
   const auto says = [&](const std::string& text, std::optional<Box2> data = {}) {
-    return refusal([&] { return import_area(write("a.geojson", text), Frame{}, data); });
+    return refusal(
+        [&] { return import_area(write("a.geojson", text), Frame{}, {.data_extent = data}); });
   };
   EXPECT_THAT(refusal([&] { return import_area(path("no.geojson"), Frame{}); }),
               HasSubstr("does not exist"));
@@ -126,6 +129,48 @@ TEST_F(AreaImport, RefusesWhatIsNoArea) {
       geojson(R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]})");
   EXPECT_EQ(says(square, Box2{Vec2(3, 3), Vec2(9, 9)}), "accepted");
   EXPECT_THAT(says(square, Box2{Vec2(5, 0), Vec2(9, 4)}), HasSubstr("do not meet"));
+}
+
+std::string feature_of(const std::string& geometry) {
+  return R"({"type":"Feature","properties":{},"geometry":)" + geometry + "}";
+}
+
+std::string mixed_features() {
+  return R"({"type":"FeatureCollection","features":[)" +
+         feature_of(R"({"type":"Polygon","coordinates":[[[0,0],[40,0],[40,40],[0,40],[0,0]]]})") +
+         "," + feature_of(R"({"type":"LineString","coordinates":[[100,0],[200,0]]})") + "," +
+         feature_of(R"({"type":"Point","coordinates":[300,0]})") + "]}";
+}
+
+TEST_F(AreaImport, NamesLinesAndPointsThatDoNotCount) {
+  const ImportedArea read = import_area(write("m.geojson", mixed_features()), Frame{});
+  EXPECT_NEAR(area_m2(read.area), 1600.0, 1e-6);
+  ASSERT_EQ(read.notes.size(), 1U);
+  EXPECT_THAT(read.notes[0], HasSubstr("1 line and 1 point do not count"));
+}
+
+TEST_F(AreaImport, GivesLinesAndPointsRoomWithABuffer) {
+  const ImportedArea read =
+      import_area(write("m.geojson", mixed_features()), Frame{}, {.buffer_m = 5.0});
+  const double disc = 3.14159265 * 25.0;  // a circle of 64 chords has 0.2 % less
+  EXPECT_NEAR(area_m2(read.area), 1600.0 + (100.0 * 10.0 + disc) + disc, 0.005 * disc);
+  EXPECT_TRUE(contains(read.area, Vec2(150, 4.9)));
+  EXPECT_FALSE(contains(read.area, Vec2(150, 5.1)));
+  EXPECT_TRUE(contains(read.area, Vec2(304.9, 0)));
+}
+
+TEST_F(AreaImport, CountsShapesOffTheData) {
+  const ImportedArea read =
+      import_area(write("m.geojson", mixed_features()), Frame{},
+                  {.data_extent = Box2{Vec2(0, 0), Vec2(210, 50)}, .buffer_m = 1.0});
+  EXPECT_THAT(read.notes.back(), HasSubstr("1 of 3 shapes lie off the seafloor's data"));
+}
+
+TEST_F(AreaImport, RefusesDegreesOnASeafloorWithoutACrs) {
+  const std::string tiny = geojson(
+      R"({"type":"Polygon","coordinates":[[[10,50],[10.001,50],[10.001,50.001],[10,50],[10,50]]]})");
+  EXPECT_THAT(refusal([&] { return import_area(write("a.geojson", tiny), Frame{}); }),
+              HasSubstr("look like degrees"));
 }
 
 }  // namespace

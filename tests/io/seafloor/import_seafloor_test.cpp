@@ -91,7 +91,7 @@ TEST_F(ImportSeafloor, FeetOfTheCrsAreScaled) {
   const double foot = 1200.0 / 3937.0;
   EXPECT_NEAR(r.seafloor.frame.metres_per_unit, foot, 1e-12);
   EXPECT_NEAR(extent(r.seafloor).size().x(), 92.0 * foot, 1e-9);
-  EXPECT_THAT(r.warnings, Contains(HasSubstr("--z-unit")));
+  EXPECT_THAT(r.warnings, Contains(HasSubstr("<z unit>")));
   const ImportedSeafloor by_hand =
       import_seafloor(write("b.xyz", rows(0, 0, 10, -1)), {.xy_unit_m = 0.3048});
   EXPECT_NEAR(extent(by_hand.seafloor).size().x(), 92.0 * 0.3048, 1e-9);
@@ -154,7 +154,7 @@ TEST_F(ImportSeafloor, RefusesWhatCannotBeUsed) {
   for (const char* name : {"g.xyz", "g.csv", "g.asc", "g.tif", "g.bag", "g.bin", "g", "g.obj"}) {
     EXPECT_THAT(says(write(name, garbage(3000))), HasSubstr("garbled")) << name;
   }
-  EXPECT_THAT(says(write("up.xyz", rows(0, 0, 1, 1.0))), HasSubstr("--z-positive down"));
+  EXPECT_THAT(says(write("up.xyz", rows(0, 0, 1, 1.0))), HasSubstr("<z positive> down"));
   EXPECT_THAT(says(write("v.obj", "v 0 0 -1\nv 1 0.1 -1\nv 3 0.3 -5\nf 1 2 3\n")),
               HasSubstr("v.obj': the mesh is a vertical sheet"));
   const auto fine = write("f.xyz", rows(0, 0, 1, -1.0));

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/results/provenance_json.h"
 #include "mesh/synthetic.h"
 
 namespace swathplan {
@@ -26,17 +27,17 @@ ImportedSeafloor as_imported(Seafloor seafloor) {
 
 TEST(Inspection, SaysWhatIsInTheFile) {
   const ImportedSeafloor r = as_imported(saddle());
-  const nlohmann::json json = inspection_json(r);
-  EXPECT_DOUBLE_EQ(json.at("depth_min_m"), 10.0);
-  EXPECT_DOUBLE_EQ(json.at("depth_max_m"), 60.0);
-  EXPECT_NEAR(json.at("depth_mean_m").get<double>(), 35.0, 0.01);
-  EXPECT_NEAR(json.at("area_m2").get<double>(), 6400.0, 1e-6);
-  EXPECT_DOUBLE_EQ(json.at("width_m"), 80.0);
-  EXPECT_EQ(json.at("health").at("components"), 1);
-  EXPECT_EQ(json.at("health").at("boundary_loops"), 1);
+  const nlohmann::json figures = inspection_json(r);
+  EXPECT_DOUBLE_EQ(figures.at("depth_min_m"), 10.0);
+  EXPECT_DOUBLE_EQ(figures.at("depth_max_m"), 60.0);
+  EXPECT_NEAR(figures.at("depth_mean_m").get<double>(), 35.0, 0.01);
+  EXPECT_NEAR(figures.at("area_m2").get<double>(), 6400.0, 1e-6);
+  EXPECT_DOUBLE_EQ(figures.at("width_m"), 80.0);
+  EXPECT_EQ(figures.at("health").at("components"), 1);
+  EXPECT_EQ(figures.at("health").at("boundary_loops"), 1);
   const std::string text = inspection_text(r);
   EXPECT_THAT(text, HasSubstr("10.00 to 60.00 m"));
-  EXPECT_THAT(text, HasSubstr("--depth-bands 3"));
+  EXPECT_THAT(text, HasSubstr("<depth bands> 3"));
 }
 
 TEST(Inspection, SuggestsCellsThatTheFanFills) {
@@ -58,7 +59,7 @@ TEST(Inspection, WarnsOfDataThatLookWrong) {
   EXPECT_THAT(warnings_of(as_imported(millimetres)), Contains(HasSubstr("millimetres")));
   ImportedSeafloor land = as_imported(saddle());
   land.land_share = 0.99;
-  EXPECT_THAT(warnings_of(land), Contains(HasSubstr("--z-positive down")));
+  EXPECT_THAT(warnings_of(land), Contains(HasSubstr("<z positive> down")));
   ImportedSeafloor parts = as_imported(saddle());
   parts.health.components = 3;
   parts.health.non_manifold_edges = 2;
@@ -67,6 +68,15 @@ TEST(Inspection, WarnsOfDataThatLookWrong) {
   ImportedSeafloor fine = as_imported(saddle());
   fine.crs_name = "EPSG:32633 (WGS 84 / UTM zone 33N)";
   EXPECT_THAT(warnings_of(fine), testing::IsEmpty());
+}
+
+TEST(Inspection, JsonSurvivesAFileNameThatIsNotUtf8) {
+  ImportedSeafloor r = as_imported(saddle());
+  r.file = "r\xF8nne.obj";
+  const std::string text = json_text(inspection_json(r));
+  ASSERT_TRUE(nlohmann::json::accept(text));
+  EXPECT_THAT(nlohmann::json::parse(text).at("file").get<std::string>(),
+              testing::AllOf(testing::StartsWith("r"), testing::EndsWith("nne.obj")));
 }
 
 }  // namespace

@@ -2,9 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include <cstring>
-
 #include "io/import_files.h"
+#include "io/seafloor/surface_area.h"
 
 namespace swathplan {
 namespace {
@@ -26,16 +25,6 @@ std::string binary_stl(std::uint32_t says, std::uint32_t holds) {
     bytes.append(reinterpret_cast<const char*>(facet), sizeof facet).append(2, '\0');
   }
   return bytes;
-}
-
-double plan_area(const SurfaceData& data) {
-  double twice = 0.0;
-  for (const auto& f : data.faces) {
-    const Vec2 ab = (data.vertices[f[1]] - data.vertices[f[0]]).head<2>();
-    const Vec2 ac = (data.vertices[f[2]] - data.vertices[f[0]]).head<2>();
-    twice += ab.x() * ac.y() - ab.y() * ac.x();
-  }
-  return 0.5 * twice;
 }
 
 TEST_F(MeshImport, ObjKeepsEveryBitOfUtmCoordinates) {
@@ -68,46 +57,11 @@ TEST_F(MeshImport, PlyOffAndAsciiStlKeepDoubles) {
   EXPECT_EQ(stl.vertices[0], Vec3(585000.123, 4797000.456, -1));
 }
 
-TEST_F(MeshImport, PolygonsKeepTheirOutline) {
-  // An L: a fan from its first corner would leave it.
-  const SurfaceData data = read_mesh(write("l.obj",
-                                           "v 0 0 -1\nv 4 0 -1\nv 4 1 -1\nv 1 1 -1\nv 1 4 -1\n"
-                                           "v 0 4 -1\nf 3 4 5 6 1 2\n"));
-  EXPECT_EQ(data.faces.size(), 4U);
-  EXPECT_DOUBLE_EQ(plan_area(data), 7.0);
-  for (const auto& f : data.faces) {
-    SurfaceData one;
-    one.vertices = data.vertices;
-    one.faces = {f};
-    EXPECT_GT(plan_area(one), 0.0);
-  }
-}
-
 TEST_F(MeshImport, BinaryStlIsReadEvenIfItSaysSolid) {
   std::string bytes = binary_stl(2, 2);
   EXPECT_EQ(read_mesh(write("a.stl", bytes)).faces.size(), 2U);
   bytes.replace(0, 5, "solid");
   EXPECT_EQ(read_mesh(write("b.stl", bytes)).format, "binary STL");
-}
-
-TEST_F(MeshImport, GltfIsTurnedUpright) {
-  // y up: x east, y up, z south. The triangle (0,-5,0), (10,-6,0), (0,-7,-10).
-  const float corners[9] = {0, -5, 0, 10, -6, 0, 0, -7, -10};
-  std::string buffer(sizeof corners, '\0');
-  std::memcpy(buffer.data(), corners, sizeof corners);
-  write("a.bin", buffer);
-  const SurfaceData data = read_mesh(write(
-      "a.gltf",
-      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
-      R"("nodes":[{"mesh":0,"translation":[100,0,0]}],)"
-      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
-      R"("buffers":[{"uri":"a.bin","byteLength":36}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
-      R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
-      R"("min":[0,-7,-10],"max":[10,-5,0]}]})"));
-  ASSERT_EQ(data.vertices.size(), 3U);
-  EXPECT_THAT(data.vertices,
-              testing::UnorderedElementsAre(Vec3(100, 0, -5), Vec3(110, 0, -6), Vec3(100, 10, -7)));
-  EXPECT_THAT(data.notes, testing::Contains(HasSubstr("y up")));
 }
 
 TEST_F(MeshImport, RefusesTruncatedAndGarbledFiles) {
@@ -143,7 +97,7 @@ TEST_F(MeshImport, RealMeshesAgreeWhateverTheirFormat) {
   EXPECT_EQ(obj.vertices.size(), 1088U);
   for (const SurfaceData* data : {&obj, &stl, &dae}) {
     EXPECT_EQ(data->faces.size(), 2115U);
-    EXPECT_NEAR(plan_area(*data), plan_area(obj), 10.0);
+    EXPECT_NEAR(test::plan_area(*data), test::plan_area(obj), 10.0);
     double low = 0.0;
     for (const Vec3& v : data->vertices) low = std::min(low, v.z());
     EXPECT_NEAR(low, -64.352, 1e-3);

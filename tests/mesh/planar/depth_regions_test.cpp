@@ -95,7 +95,7 @@ TEST(DepthRegions, ABandWithoutFacesIsNamed) {
     static_cast<void>(ground.regions({.count = 1, .limits = {5.0, 20.0}}));
     FAIL() << "accepted";
   } catch (const UsageError& e) {
-    EXPECT_NE(std::string(e.what()).find("--depth-bands"), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find("depth bands"), std::string::npos);
     EXPECT_NE(std::string(e.what()).find("10.00"), std::string::npos) << e.what();
   }
 }

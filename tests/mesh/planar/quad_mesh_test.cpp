@@ -17,7 +17,7 @@ namespace {
 using test::blob;
 using test::box_area;
 
-struct Case {
+struct QuadCase {
   std::string name;
   Area area;
   double side;
@@ -39,8 +39,8 @@ Area bay(std::uint64_t seed) {
   return area;
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> result{
+std::vector<QuadCase> quad_cases() {
+  std::vector<QuadCase> result{
       {"square", box_area(0, 0, 80, 80), 25.6},
       {"a single face", box_area(0, 0, 20, 19), 25.6},
       {"smaller than a face", box_area(0, 0, 5, 4), 25.6},
@@ -66,25 +66,25 @@ std::vector<Case> cases() {
   return result;
 }
 
-double total_area(const PlanarMesh& mesh) {
+double area_of_quads(const PlanarMesh& mesh) {
   double sum = 0.0;
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) sum += face_area(mesh, f);
   return sum;
 }
 
 TEST(QuadMesh, CoversTheWholeArea) {
-  for (const Case& c : cases()) {
+  for (const QuadCase& c : quad_cases()) {
     SCOPED_TRACE(c.name);
     const PlanarMesh mesh = quad_mesh(c.area, {.side_m = c.side});
     const double whole = area_m2(face_layout(c.area, c.side, {}).area);
-    EXPECT_NEAR(total_area(mesh), whole, 1e-6 * whole);
+    EXPECT_NEAR(area_of_quads(mesh), whole, 1e-6 * whole);
     EXPECT_LE(whole, area_m2(c.area) * (1 + 1e-6));
   }
 }
 
 // What is inside lies between two faces: else a corner of one would hang on a neighbour's side.
 TEST(QuadMesh, FacesMeetEdgeToEdge) {
-  for (const Case& c : cases()) {
+  for (const QuadCase& c : quad_cases()) {
     SCOPED_TRACE(c.name);
     const PlanarMesh mesh = quad_mesh(c.area, {.side_m = c.side});
     double outline_m = 0.0;
@@ -115,7 +115,7 @@ TEST(QuadMesh, FacesMeetEdgeToEdge) {
 }
 
 TEST(QuadMesh, EveryFaceIsSoundForNuc) {
-  for (const Case& c : cases()) {
+  for (const QuadCase& c : quad_cases()) {
     SCOPED_TRACE(c.name);
     const PlanarMesh mesh = quad_mesh(c.area, {.side_m = c.side});
     for (const auto& face : mesh.faces) EXPECT_TRUE(sound_for_nuc(mesh, face));
@@ -123,7 +123,7 @@ TEST(QuadMesh, EveryFaceIsSoundForNuc) {
 }
 
 TEST(QuadMesh, OnePartForEachPolygon) {
-  for (const Case& c : cases()) {
+  for (const QuadCase& c : quad_cases()) {
     SCOPED_TRACE(c.name);
     const PlanarMesh mesh = quad_mesh(c.area, {.side_m = c.side});
     const auto parts = connected_parts(mesh, shared_edges(mesh));
@@ -139,7 +139,7 @@ TEST(QuadMesh, ARectangleIsAllQuads) {
 }
 
 TEST(QuadMesh, PiecesOfCellsAreRarelyLeftAlone) {
-  for (const Case& c : cases()) {
+  for (const QuadCase& c : quad_cases()) {
     SCOPED_TRACE(c.name);
     const PlanarMesh mesh = quad_mesh(c.area, {.side_m = c.side});
     EXPECT_LT(static_cast<double>(mesh.faces.size()),

@@ -54,11 +54,6 @@ TEST(Polygons, SimplifyStaysWithinItsTolerance) {
   for (const Vec2& p : wavy[0].outer) EXPECT_LE(distance_to_outline(simple, p), 1.0 + 2 * kLattice);
 }
 
-TEST(Polygons, SelfCrossingRingsAreFound) {
-  EXPECT_TRUE(crosses_itself({{0, 0}, {10, 10}, {10, 0}, {0, 10}}));
-  EXPECT_FALSE(crosses_itself(box(0, 0, 1, 1)));
-}
-
 TEST(Polygons, SegmentsAreCutAtTheOutline) {
   const Area ring = subtract(box_area(0, 0, 10, 10), box_area(4, 4, 6, 6));
   const auto parts = clip_segment(ring, {-5, 5}, {15, 5});

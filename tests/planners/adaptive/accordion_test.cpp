@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "mesh/base/error.h"
-#include "planners/adaptive/adaptive_worlds.h"
+#include "mesh/base/random.h"
+#include "planners/adaptive/simulated_strips.h"
 #include "planners/message_of.h"
 
 namespace swathplan {
@@ -20,14 +22,22 @@ using testing::HasSubstr;
 constexpr double kW = 50.0;
 constexpr double kL = 400.0;
 
-AccordionOptions options(double strips, AccordionRule rule = AccordionRule::basic) {
+AccordionOptions strip_options(double strips, AccordionRule rule = AccordionRule::basic) {
   return {.width_m = strips * kW, .length_m = kL, .spacing_m = kW, .rule = rule};
+}
+
+// One object in the middle of each strip listed.
+StripWorld chosen_strips(double spacing_m, std::span<const int> strips) {
+  StripWorld world;
+  for (const int strip : strips) world.objects_m.push_back((strip + 0.5) * spacing_m);
+  std::sort(world.objects_m.begin(), world.objects_m.end());
+  return world;
 }
 
 // Length of one spatial period (four strips wide) of a mission over eight strips.
 double period(std::initializer_list<int> strips) {
   const std::vector<int> list(strips);
-  const auto mission = sail(chosen_strips(kW, list), options(8));
+  const auto mission = sail(chosen_strips(kW, list), strip_options(8));
   return length_until_m(mission.state.sailed, kL, 4 * kW);
 }
 
@@ -55,13 +65,13 @@ std::vector<double> places(const AccordionMission& mission) {
 
 TEST(Accordion, BothSidesLoopsBackFirst) {
   const std::vector<int> both{1, 2};
-  EXPECT_THAT(places(sail(chosen_strips(kW, both), options(8))),
+  EXPECT_THAT(places(sail(chosen_strips(kW, both), strip_options(8))),
               testing::ElementsAre(0, 2, 1, 3, 5, 7));
 }
 
 TEST(Accordion, WorstCaseStartsTheNextPeriodOneStripOn) {
   const std::vector<int> three{1, 2, 3};
-  const auto mission = sail(chosen_strips(kW, three), options(8));
+  const auto mission = sail(chosen_strips(kW, three), strip_options(8));
   EXPECT_THAT(places(mission), testing::ElementsAre(0, 2, 1, 3, 4, 6, 8));
 }
 
@@ -71,7 +81,7 @@ TEST(Accordion, NothingIsSweptTwiceWithoutNeed) {
     for (int s = 0; s < 10; ++s) {
       if ((pattern >> static_cast<unsigned>(s)) & 1U) strips.push_back(s);
     }
-    const auto mission = sail(chosen_strips(kW, strips), options(10));
+    const auto mission = sail(chosen_strips(kW, strips), strip_options(10));
     std::vector<double> where = places(mission);
     std::sort(where.begin(), where.end());
     EXPECT_EQ(std::adjacent_find(where.begin(), where.end()), where.end()) << pattern;
@@ -86,7 +96,7 @@ TEST(Accordion, NothingIsSweptTwiceWithoutNeed) {
 }
 
 TEST(Accordion, DirectionsAlternate) {
-  const auto mission = sail(random_strips(40 * kW, kW, 0.4, 9), options(40));
+  const auto mission = sail(random_strips(40 * kW, kW, 0.4, 9), strip_options(40));
   for (std::size_t i = 0; i < mission.state.sailed.size(); ++i) {
     EXPECT_EQ(mission.state.sailed[i].outbound, i % 2 == 0);
   }
@@ -95,7 +105,7 @@ TEST(Accordion, DirectionsAlternate) {
 // Equation 2 in an empty area, equation 3 where each period is of case 8, over whole periods.
 TEST(Accordion, BestAndWorstMissionsMeetTheEquations) {
   for (const double alpha : {0.01, 0.1, 0.25, 0.5, 1.0, 2.0}) {
-    AccordionOptions o = options(40);
+    AccordionOptions o = strip_options(40);
     o.length_m = kW / alpha;
     EXPECT_NEAR(gain(sail({}, o).state).periods_pct, 100.0 / (2.0 * (1.0 + alpha)), 1e-9);
     std::vector<int> worst;
@@ -108,7 +118,7 @@ TEST(Accordion, BestAndWorstMissionsMeetTheEquations) {
 }
 
 TEST(Accordion, IsTheLawnmowerWhereObjectsAreEverywhere) {
-  const auto mission = sail(random_strips(12 * kW, kW, 1.0, 4), options(12));
+  const auto mission = sail(random_strips(12 * kW, kW, 1.0, 4), strip_options(12));
   EXPECT_EQ(mission.state.sailed, overlapping_lawnmower(12 * kW, kW));
 }
 
@@ -120,7 +130,7 @@ class AccordionAnyWidth : public testing::TestWithParam<Setting> {};
 
 // Every strip and every object: the promise of the mission, for widths that strips do not divide.
 TEST_P(AccordionAnyWidth, SeesAllAndObjectsFromBothSides) {
-  const AccordionOptions o = options(GetParam().strips, GetParam().rule);
+  const AccordionOptions o = strip_options(GetParam().strips, GetParam().rule);
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const double share = static_cast<double>(seed % 11) / 10.0;
     const auto mission = sail(random_strips(o.width_m, kW, share, seed), o);
@@ -156,7 +166,7 @@ double excess_in_tracks(const StripWorld& world, const AccordionOptions& o) {
 TEST(Accordion, BoundedIsNeverLongerThanTheLawnmowerByMoreThanATrack) {
   for (const double alpha : {0.05, 0.3, 0.7, 1.0, 2.0}) {
     for (const double strips : {11.3, 12.0}) {
-      AccordionOptions o = options(strips, AccordionRule::bounded);
+      AccordionOptions o = strip_options(strips, AccordionRule::bounded);
       o.length_m = kW / alpha;
       for (unsigned pattern = 0; pattern < 1U << 12U; ++pattern) {
         StripWorld world;
@@ -174,7 +184,7 @@ TEST(Accordion, BoundedIsNeverLongerThanTheLawnmowerByMoreThanATrack) {
 // The same with a clearance, for which it goes back farther than the object.
 TEST(Accordion, BoundHoldsWithAClearance) {
   for (const double alpha : {0.1, 0.5, 1.0}) {
-    AccordionOptions o = options(30.0, AccordionRule::bounded);
+    AccordionOptions o = strip_options(30.0, AccordionRule::bounded);
     o.length_m = kW / alpha;
     o.clearance_m = 6.0;
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
@@ -203,7 +213,7 @@ TEST(Accordion, BlindStripsLoseNoObjectOfEitherRule) {
     // The abstract world knows places to 6.25 m: either all lies on that grid, or the clearance
     // takes it in.
     for (const auto& [gap, clearance] : {std::pair(6.25, 0.0), std::pair(5.0, 6.5)}) {
-      AccordionOptions o = options(20.6, rule);
+      AccordionOptions o = strip_options(20.6, rule);
       o.length_m = 200.0;
       o.nadir_gap_m = gap;
       o.clearance_m = clearance;
@@ -227,7 +237,7 @@ TEST(Accordion, BoundHoldsWithPlacesKnownRoughly) {
   for (const double gap : {0.0, 2.0, 5.0, 6.25, 8.0, 12.5}) {
     for (const double clearance : {0.0, 1.0, 6.5}) {
       for (const double length : {30.0, 200.0, 1000.0}) {
-        AccordionOptions o = options(20.6, AccordionRule::bounded);
+        AccordionOptions o = strip_options(20.6, AccordionRule::bounded);
         o.length_m = length;
         o.nadir_gap_m = gap;
         o.clearance_m = clearance;
@@ -242,7 +252,7 @@ TEST(Accordion, BoundHoldsWithPlacesKnownRoughly) {
 }
 
 TEST(Accordion, BasicBreaksThatBound) {  // or the test above would prove nothing
-  AccordionOptions o = options(40);
+  AccordionOptions o = strip_options(40);
   o.length_m = kW;
   std::vector<int> worst;
   for (int s = 0; s < 40; ++s) {
@@ -256,7 +266,7 @@ TEST(Accordion, BoundedIsNoWorseOnAverage) {
     double basic = 0.0;
     double bounded = 0.0;
     for (std::uint64_t i = 0; i < 210; ++i) {
-      AccordionOptions o = options(40);
+      AccordionOptions o = strip_options(40);
       o.length_m = kW / alpha;
       const auto world =
           random_strips(o.width_m, kW, static_cast<double>(i % 21) / 20.0, mixed_seed(5, i));
@@ -274,7 +284,7 @@ AccordionObservation empty_observation() {
 }
 
 TEST(Accordion, ThresholdDecidesWhatIsAnObject) {
-  AccordionState state = start_accordion(options(8));
+  AccordionState state = start_accordion(strip_options(8));
   auto observation = empty_observation();
   observation.ahead.values[7] = 0.6F;
   const auto hit = observe(state, *next_track(state), observation);
@@ -285,7 +295,7 @@ TEST(Accordion, ThresholdDecidesWhatIsAnObject) {
 }
 
 TEST(Accordion, NadirObjectsNeedBothNeighbours) {
-  AccordionOptions o = options(8);
+  AccordionOptions o = strip_options(8);
   o.nadir_gap_m = 10.0;
   AccordionState state = start_accordion(o);
   CostMap map{1, 6, 0.0, 10.0, std::vector<float>(6, 0.1F)};
@@ -301,7 +311,7 @@ TEST(Accordion, NadirObjectsNeedBothNeighbours) {
 }
 
 TEST(Accordion, RefusesBadObservations) {
-  const AccordionState state = start_accordion(options(8));
+  const AccordionState state = start_accordion(strip_options(8));
   const SurveyTrack track = *next_track(state);
   const auto refusal = [&](const SurveyTrack& t, const AccordionObservation& observation) {
     return message_of<InvalidInput>([&] { (void)observe(state, t, observation); });
@@ -322,22 +332,22 @@ TEST(Accordion, RefusesBadOptions) {
   const auto refusal = [](const AccordionOptions& o) {
     return message_of<UsageError>([&] { check(o); });
   };
-  AccordionOptions o = options(8);
+  AccordionOptions o = strip_options(8);
   o.width_m = -1.0;
-  EXPECT_THAT(refusal(o), HasSubstr("width = -1"));
-  o = options(8);
+  EXPECT_THAT(refusal(o), HasSubstr("width -1"));
+  o = strip_options(8);
   o.spacing_m = 0.0;
-  EXPECT_THAT(refusal(o), HasSubstr("spacing = 0"));
-  o = options(8);
+  EXPECT_THAT(refusal(o), HasSubstr("spacing 0"));
+  o = strip_options(8);
   o.clearance_m = 25.0;
-  EXPECT_THAT(refusal(o), HasSubstr("clearance = 25"));
-  o = options(8);
+  EXPECT_THAT(refusal(o), HasSubstr("clearance 25"));
+  o = strip_options(8);
   o.nadir_gap_m = kW;
   EXPECT_THAT(refusal(o), HasSubstr("nadir gap"));
-  o = options(8);
+  o = strip_options(8);
   o.length_m = std::numeric_limits<double>::infinity();
   EXPECT_THAT(refusal(o), HasSubstr("length"));
-  o = options(8);
+  o = strip_options(8);
   o.threshold = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(refusal(o), HasSubstr("threshold"));
 }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "planners/adaptive/adaptive_worlds.h"
+#include "mesh/base/random.h"
 
 namespace swathplan {
 namespace {

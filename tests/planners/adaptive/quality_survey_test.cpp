@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "mesh/base/error.h"
-#include "planners/adaptive/adaptive_worlds.h"
 #include "planners/adaptive/quality_baselines.h"
 #include "planners/message_of.h"
 
@@ -21,7 +20,7 @@ struct Case {
 };
 constexpr Case kCases[] = {{70, 70, 36}, {110, 110, 18}, {150, 0, 19}};
 
-QualitySurveyOptions options(GapConstraint constraint) {
+QualitySurveyOptions quality_options(GapConstraint constraint) {
   QualitySurveyOptions o;
   o.constraint = constraint;
   return o;
@@ -31,7 +30,7 @@ TEST(QualitySurvey, EveryVariantCoversAll) {
   for (const Case& c : kCases) {
     for (const auto constraint :
          {GapConstraint::none, GapConstraint::mild, GapConstraint::strong}) {
-      const auto o = options(constraint);
+      const auto o = quality_options(constraint);
       const auto state = sail(o, true_quality(o, c.port_m, c.starboard_m));
       EXPECT_DOUBLE_EQ(covered_share(state), 1.0) << name(constraint) << " " << c.port_m;
     }
@@ -40,7 +39,7 @@ TEST(QualitySurvey, EveryVariantCoversAll) {
 
 TEST(QualitySurvey, StrongConstraintIsWithinATrackOfTheOptimum) {
   for (const Case& c : kCases) {
-    const auto o = options(GapConstraint::strong);
+    const auto o = quality_options(GapConstraint::strong);
     const auto truth = true_quality(o, c.port_m, c.starboard_m);
     EXPECT_EQ(fewest_tracks(o, truth).size(), c.optimum);
     EXPECT_LE(sail(o, truth).sailed.size(), c.optimum + 1);
@@ -50,79 +49,12 @@ TEST(QualitySurvey, StrongConstraintIsWithinATrackOfTheOptimum) {
 TEST(QualitySurvey, StrongConstraintTravelsLeastInTheFirstTwoCases) {
   for (const Case& c : {kCases[0], kCases[1]}) {
     const auto travel = [&](GapConstraint constraint) {
-      const auto o = options(constraint);
+      const auto o = quality_options(constraint);
       return travel_m(sail(o, true_quality(o, c.port_m, c.starboard_m)).sailed, o.length_m);
     };
     EXPECT_LT(travel(GapConstraint::strong), travel(GapConstraint::mild));
     EXPECT_LT(travel(GapConstraint::strong), travel(GapConstraint::none));
   }
-}
-
-// Ten whole pitches of 410 m: 90, 250 and 220 m of each are covered.
-TEST(QualitySurvey, PreplannedCoversWhatThePairedLayoutGives) {
-  QualitySurveyOptions o;
-  o.width_m = 4100.0;
-  EXPECT_NEAR(covered_share(sail_preplanned(o, true_quality(o, 150, 150))), 1.0, 1e-12);
-  EXPECT_NEAR(covered_share(sail_preplanned(o, true_quality(o, 70, 70))), 90.0 / 410.0, 1e-12);
-  EXPECT_NEAR(covered_share(sail_preplanned(o, true_quality(o, 150, 0))), 220.0 / 410.0, 1e-12);
-  // The neighbour pair's 40 m of overhang are missing at the edge.
-  EXPECT_NEAR(covered_share(sail_preplanned(o, true_quality(o, 110, 110))), 250.0 / 410.0, 0.012);
-}
-
-// Oracle: all choices of up to four tracks over an area of 18 swaths.
-TEST(QualitySurvey, FewestTracksAgreesWithBruteForce) {
-  QualitySurveyOptions o;
-  o.width_m = 180.0;
-  o.range_max_m = 90.0;
-  o.range_min_m = 20.0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    SeededNumbers numbers(seed);
-    TrueQuality truth = true_quality(o, 90, 90);
-    for (auto* side : {&truth.port, &truth.starboard}) {
-      for (char& good : *side) good = numbers.uniform() < (seed % 2 ? 0.75 : 0.55) ? 1 : 0;
-    }
-    std::vector<unsigned> masks;
-    for (int i = 0; i <= 18; ++i) {
-      for (const bool outbound : {true, false}) {
-        unsigned mask = 0;
-        for (int b = 0; b < range_bins(o); ++b) {
-          const auto k = static_cast<std::size_t>(b);
-          const auto& low = outbound ? truth.port : truth.starboard;
-          const auto& high = outbound ? truth.starboard : truth.port;
-          const int below = i - 2 - b - 1;
-          const int above = i + 2 + b;
-          if (low[k] && below >= 0 && below < 18) mask |= 1U << static_cast<unsigned>(below);
-          if (high[k] && above < 18) mask |= 1U << static_cast<unsigned>(above);
-        }
-        masks.push_back(mask);
-      }
-    }
-    const unsigned all = (1U << 18U) - 1U;
-    std::size_t best = 99;
-    for (std::size_t a = 0; a < masks.size(); ++a) {
-      for (std::size_t b = a; b < masks.size(); ++b) {
-        if ((masks[a] | masks[b]) == all) best = 2;
-        for (std::size_t c = b; c < masks.size(); ++c) {
-          const unsigned three = masks[a] | masks[b] | masks[c];
-          if (three == all) best = std::min<std::size_t>(best, 3);
-          for (std::size_t d = c; d < masks.size() && best > 4; ++d) {
-            if ((three | masks[d]) == all) best = 4;
-          }
-        }
-      }
-    }
-    const auto tracks = fewest_tracks(o, truth);
-    if (best <= 4) {
-      EXPECT_EQ(tracks.size(), best) << "seed " << seed;
-    } else {
-      EXPECT_TRUE(tracks.empty() || tracks.size() > 4) << "seed " << seed;
-    }
-  }
-}
-
-TEST(QualitySurvey, ImpossibleOptimumIsEmpty) {
-  const QualitySurveyOptions o;
-  EXPECT_TRUE(fewest_tracks(o, true_quality(o, 0, 0)).empty());
 }
 
 TEST(QualitySurvey, RatesAreTheMeanOfTheBetaPosterior) {

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "mesh/base/error.h"
-#include "planners/adaptive/adaptive_worlds.h"
+#include "mesh/base/random.h"
 
 namespace swathplan {
 namespace {

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TrackSpacingOptions options(double range, bool adapt = true, bool careful = true) {
+TrackSpacingOptions spacing_options(double range, bool adapt = true, bool careful = true) {
   return {.range_m = range, .adapt = adapt, .careful = careful};
 }
 
@@ -69,7 +69,7 @@ class TrackSpacingExperiments : public testing::TestWithParam<std::tuple<Experim
 TEST_P(TrackSpacingExperiments, RangesAndTracksAreThePapers) {
   const auto& [experiment, careful, trials] = GetParam();
   const auto mission =
-      sail(options(experiment.start_m, true, careful), SpacingWorld{.trials = trials});
+      sail(spacing_options(experiment.start_m, true, careful), SpacingWorld{.trials = trials});
   EXPECT_EQ(mission.state.sailed.size(), experiment.tracks);
   EXPECT_DOUBLE_EQ(mission.state.ranges_m.front(), experiment.first_m);
   for (std::size_t i = 2; i < mission.state.ranges_m.size(); ++i) {
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(All, TrackSpacingExperiments,
 
 // Gaps of the control at r = 145 with data to 130 m: 15 m four times a pair, by intervals.
 TEST(TrackSpacing, ControlLeavesWhatGeometryGives) {
-  const auto mission = sail(options(145, false), SpacingWorld{});
+  const auto mission = sail(spacing_options(145, false), SpacingWorld{});
   ASSERT_EQ(mission.state.sailed.size(), 7U);
   IntervalSet covered;
   for (const SurveyTrack& t : mission.state.sailed) {
@@ -101,14 +101,14 @@ TEST(TrackSpacing, ControlLeavesWhatGeometryGives) {
 
 TEST(TrackSpacing, WorstComponentIsBetterThanTheControlsInExperimentThree) {
   const auto worst = [](bool adapt) {
-    const auto mission = sail(options(130, adapt), SpacingWorld{});
+    const auto mission = sail(spacing_options(130, adapt), SpacingWorld{});
     return fitted_mixture(looked_at(without_border(mission.risk, 20)), 2).back().mean;
   };
   EXPECT_LT(worst(true), worst(false));
 }
 
 TEST(TrackSpacing, AShortRangeIsAnsweredNotFatal) {
-  auto state = start_spacing(options(145));
+  auto state = start_spacing(spacing_options(145));
   const DetectionCurve weak{{40, 70, 90}, {0.3, 0.4, 0.0}};
   state = observe(state, *next_track(state), weak);
   EXPECT_TRUE(state.range_too_short);
@@ -130,7 +130,7 @@ TEST(TrackSpacing, RefusesBadOptions) {
 }
 
 TEST(TrackSpacing, RefusesBadObservations) {
-  const auto state = start_spacing(options(145));
+  const auto state = start_spacing(spacing_options(145));
   const SurveyTrack track = *next_track(state);
   const auto refusal = [&](const SurveyTrack& t, const DetectionCurve& curve) {
     return message_of<InvalidInput>([&] { (void)observe(state, t, curve); });

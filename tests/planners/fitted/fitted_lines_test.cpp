@@ -12,8 +12,8 @@
 namespace swathplan {
 namespace {
 
-struct Site {
-  explicit Site(Seafloor floor, double run_out_m = 0.0)
+struct ScoredSite {
+  explicit ScoredSite(Seafloor floor, double run_out_m = 0.0)
       : seafloor(std::move(floor)), depths(seafloor), scene(seafloor, Nodata::wall) {
     ground.seafloor = &seafloor;
     ground.depths = &depths;
@@ -28,14 +28,12 @@ struct Site {
     how.swath_share = swath_share;
     how.noise = noise;
     how.footprint = options.cover == Cover::footprint;
-    return swathplan::score(route, {&seafloor, &depths, &scene, ground.survey_area, ground.water},
-                            options.sonar, options.vehicle, how)
-        .score;
+    return swathplan::score(route, ground, options.sonar, options.vehicle, how).score;
   }
   Seafloor seafloor;
   DepthQuery depths;
   RayScene scene;
-  PlanningGround ground;
+  Ground ground;
 };
 
 PlanOptions quarter_metre() {
@@ -45,7 +43,7 @@ PlanOptions quarter_metre() {
 }
 
 TEST(FittedLines, CoverTheSaddleBetterThanTheMeshPlannersAtLessPath) {
-  const Site site(saddle(), 10.0);
+  const ScoredSite site(saddle(), 10.0);
   const PlanOptions options = quarter_metre();
   const Plan plan = plan_fitted_lines(site.ground, options);
   ASSERT_EQ(fault(plan.route), std::nullopt);
@@ -57,7 +55,7 @@ TEST(FittedLines, CoverTheSaddleBetterThanTheMeshPlannersAtLessPath) {
 }
 
 TEST(FittedLines, ChoicesRiseInLengthAndCoverageAndSayWhatTheScorerSays) {
-  const Site site(stepped(32.0, 24.0, 5.0, 8.0));
+  const ScoredSite site(stepped(32.0, 24.0, 5.0, 8.0));
   const PlanOptions options = quarter_metre();
   const Plan plan = plan_fitted_lines(site.ground, options);
   ASSERT_FALSE(plan.choices.empty());
@@ -72,7 +70,7 @@ TEST(FittedLines, ChoicesRiseInLengthAndCoverageAndSayWhatTheScorerSays) {
 }
 
 TEST(FittedLines, GiveWhatTheGoalAsksFor) {
-  const Site site(flat(30.0, 24.0, 6.0));
+  const ScoredSite site(flat(30.0, 24.0, 6.0));
   PlanOptions options = quarter_metre();
   options.goal.coverage_pct = 99.0;
   const Plan covered = plan_fitted_lines(site.ground, options);
@@ -83,7 +81,7 @@ TEST(FittedLines, GiveWhatTheGoalAsksFor) {
 }
 
 TEST(FittedLines, ForFootprintsLieFartherApartThanForHits) {
-  const Site site(tilted(60.0, 40.0, 6.0, Angle::degrees(8.0)), 10.0);
+  const ScoredSite site(tilted(60.0, 40.0, 6.0, Angle::degrees(8.0)), 10.0);
   PlanOptions options = quarter_metre();
   options.resolution_m = 0.10;
   options.sonar.max_opening = Angle::degrees(130.0);
@@ -101,7 +99,7 @@ TEST(FittedLines, ForFootprintsLieFartherApartThanForHits) {
 }
 
 TEST(FittedLines, WithAMarginStillCoverWhereSwathsLoseIt) {
-  const Site site(tilted(36.0, 28.0, 5.0, Angle::degrees(5.0)), 5.0);
+  const ScoredSite site(tilted(36.0, 28.0, 5.0, Angle::degrees(5.0)), 5.0);
   PlanOptions options = quarter_metre();
   options.goal.coverage_pct = 99.0;
   const Plan bare = plan_fitted_lines(site.ground, options);
@@ -117,7 +115,7 @@ TEST(FittedLines, WithAMarginStillCoverWhereSwathsLoseIt) {
 }
 
 TEST(FittedLines, AreJudgedWithTheNoiseThatIsExpected) {
-  const Site site(tilted(36.0, 28.0, 5.0, Angle::degrees(5.0)), 5.0);
+  const ScoredSite site(tilted(36.0, 28.0, 5.0, Angle::degrees(5.0)), 5.0);
   PlanOptions options = quarter_metre();
   options.goal.coverage_pct = 99.0;
   options.noise.lateral_sigma_m = 0.5;
@@ -132,7 +130,7 @@ TEST(FittedLines, AreJudgedWithTheNoiseThatIsExpected) {
 }
 
 TEST(FittedLines, AreTheSameForAnyNumberOfThreads) {
-  const Site site(tilted(30.0, 20.0, 5.0, Angle::degrees(8.0)));
+  const ScoredSite site(tilted(30.0, 20.0, 5.0, Angle::degrees(8.0)));
   PlanOptions options = quarter_metre();
   options.threads = 1;
   const Plan one = plan_fitted_lines(site.ground, options);
@@ -146,7 +144,7 @@ TEST(FittedLines, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(FittedLines, FieldLinesAloneCoverATiltedSeafloor) {
-  const Site site(tilted(80.0, 60.0, 6.0, Angle::degrees(8.0)));
+  const ScoredSite site(tilted(80.0, 60.0, 6.0, Angle::degrees(8.0)));
   PlanOptions options = quarter_metre();
   options.lines = LineSource::field;
   const Plan plan = plan_fitted_lines(site.ground, options);
@@ -155,7 +153,7 @@ TEST(FittedLines, FieldLinesAloneCoverATiltedSeafloor) {
 }
 
 TEST(FittedLines, NeedNoSceneForAFirstPlan) {
-  Site site(flat(30.0, 24.0, 6.0));
+  ScoredSite site(flat(30.0, 24.0, 6.0));
   site.ground.scene = nullptr;
   const Plan plan = plan_fitted_lines(site.ground, quarter_metre());
   EXPECT_EQ(fault(plan.route), std::nullopt);

@@ -33,7 +33,7 @@ struct Gap {
   Seafloor seafloor;
   DepthQuery depths;
   RayScene scene;
-  PlanningGround ground;
+  Ground ground;
   PlanOptions options;
   Route route;
 };

@@ -52,7 +52,7 @@ struct Water {
   }
   Seafloor seafloor;
   DepthQuery depths;
-  PlanningGround ground;
+  Ground ground;
   PlanOptions options;
   std::optional<WaterRaster> raster;
   std::vector<float> width;

@@ -7,33 +7,23 @@
 #include <random>
 
 #include "planners/smoothing/join_problem_internal.h"
+#include "planners/steering/basin.h"
 #include "planners/steering/line_poses.h"
 
 namespace swathplan {
 namespace {
 
-constexpr double kRadius = 2.0;
-
-Area basin(double width, double height) {
-  return {{Ring{{0, 0}, {width, 0}, {width, height}, {0, height}}, {}}};
-}
+constexpr double kJoinRadius = 2.0;
 
 /// A line's last metres, the join and the next line's first ones.
 std::vector<Vec2> sailed(const std::vector<Vec2>& before, const Connection& way,
                          const std::vector<Vec2>& after) {
   const Vec2 in = (before[1] - before[0]).normalized();
   const Vec2 out = (after[1] - after[0]).normalized();
-  std::vector<Vec2> path{way.points.front() - kRadius * in};
+  std::vector<Vec2> path{way.points.front() - kJoinRadius * in};
   path.insert(path.end(), way.points.begin(), way.points.end());
-  path.push_back(way.points.back() + kRadius * out);
+  path.push_back(way.points.back() + kJoinRadius * out);
   return path;
-}
-
-double tightest(const std::vector<Vec2>& path) {
-  const LinePoses line(path);
-  double least = 1e300;
-  for (std::size_t i = 0; i < line.points().size(); ++i) least = std::min(least, line.radius_at(i));
-  return least;
 }
 
 /// From a line's end on its course, no tighter than the radius, in the water, and smoother than
@@ -49,11 +39,11 @@ double tightest(const std::vector<Vec2>& path) {
     return ::testing::AssertionFailure() << "the ends moved";
   }
   const auto path = sailed(before, way, after);
-  if (tightest(path) < kRadius) return ::testing::AssertionFailure() << tightest(path) << " m";
+  if (tightest(path) < kJoinRadius) return ::testing::AssertionFailure() << tightest(path) << " m";
   if (!connector.in_water(way.points)) return ::testing::AssertionFailure() << "leaves the water";
-  const double now = sharpest_change(path, kJoinStep * kRadius);
-  const double then =
-      sharpest_change(sailed(before, connector.join(before, after), after), kJoinStep * kRadius);
+  const double now = sharpest_change(path, kJoinStep * kJoinRadius);
+  const double then = sharpest_change(sailed(before, connector.join(before, after), after),
+                                      kJoinStep * kJoinRadius);
   if (now > 0.7 * then) return ::testing::AssertionFailure() << now << " after " << then;
   return ::testing::AssertionSuccess();
 }
@@ -72,12 +62,12 @@ TEST(SharpestChange, OfALineIntoAnArcIsTheJumpOverAStepOrTwo) {
 
 TEST(JoinSmoothing, ATurnAtTheWaterEdgeKeepsEndsCoursesRadiusAndWater) {
   const Area water = basin(100, 100);
-  const Connector connector(water, {.radius_m = kRadius});
-  JoinSmoother smoother(water, connector, kRadius);
+  const Connector connector(water, {.radius_m = kJoinRadius});
+  JoinSmoother smoother(water, connector, kJoinRadius);
   const std::vector<Vec2> before{{40, 5}, {40, 99.95}}, after{{60, 99.95}, {60, 5}};
   const Connection way = smoother.join(before, after);
   EXPECT_TRUE(is_smoothed(connector, way, before, after));
-  EXPECT_LT(way.off_before_m, 1.6 * kRadius);
+  EXPECT_LT(way.off_before_m, 1.6 * kJoinRadius);
   EXPECT_EQ(smoother.tally().whole, 1U);
   EXPECT_EQ(note(smoother.tally()).rfind("smoothing: 1 of 1 joins smoothed;", 0), 0U);
 }
@@ -86,8 +76,8 @@ TEST(JoinSmoothing, AnyTwoLinesInOpenWaterKeepTheirEndsCoursesAndRadius) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> place(60.0, 140.0), course(0.0, 2.0 * std::numbers::pi);
   const Area water = basin(200, 200);
-  const Connector connector(water, {.radius_m = kRadius});
-  JoinSmoother smoother(water, connector, kRadius);
+  const Connector connector(water, {.radius_m = kJoinRadius});
+  JoinSmoother smoother(water, connector, kJoinRadius);
   for (int k = 0; k < 20; ++k) {
     SCOPED_TRACE(k);
     const double a = course(random), b = course(random);
@@ -105,10 +95,10 @@ TEST(JoinSmoothing, AnyTwoLinesInOpenWaterKeepTheirEndsCoursesAndRadius) {
 
 TEST(JoinSmoothing, WhatHasNoRoomKeepsItsArcsAndIsCounted) {
   // The turn just fits into the basin between its walls.
-  const Area water = basin(2.0 * kRadius * 1.03 + 0.02, 60);
-  const double left = 0.01, right = 2.0 * kRadius * 1.03 + 0.01;
-  const Connector connector(water, {.radius_m = kRadius});
-  JoinSmoother smoother(water, connector, kRadius);
+  const Area water = basin(2.0 * kJoinRadius * 1.03 + 0.02, 60);
+  const double left = 0.01, right = 2.0 * kJoinRadius * 1.03 + 0.01;
+  const Connector connector(water, {.radius_m = kJoinRadius});
+  JoinSmoother smoother(water, connector, kJoinRadius);
   const std::vector<Vec2> before{{left, 5}, {left, 40}}, after{{right, 40}, {right, 5}};
   const Connection plain = connector.join(before, after);
   ASSERT_NE(plain.kind, JoinKind::infeasible);
@@ -116,15 +106,15 @@ TEST(JoinSmoothing, WhatHasNoRoomKeepsItsArcsAndIsCounted) {
   EXPECT_EQ(smoother.tally().joins, 1U);
   EXPECT_EQ(smoother.tally().whole, 0U);
   EXPECT_EQ(smoother.tally().kept.size(), 1U);
-  EXPECT_GE(tightest(sailed(before, way, after)), kRadius);
+  EXPECT_GE(tightest(sailed(before, way, after)), kJoinRadius);
   EXPECT_TRUE(connector.in_water(way.points));
   EXPECT_NE(note(smoother.tally()).find("bends keep their arcs"), std::string::npos);
 }
 
 TEST(JoinSmoothing, AStraightJoinIsLeftAloneAndNotCounted) {
   const Area water = basin(100, 100);
-  const Connector connector(water, {.radius_m = kRadius});
-  JoinSmoother smoother(water, connector, kRadius);
+  const Connector connector(water, {.radius_m = kJoinRadius});
+  JoinSmoother smoother(water, connector, kJoinRadius);
   const Connection way = smoother.join({{10, 50}, {30, 50}}, {{60, 50}, {90, 50}});
   EXPECT_NEAR(LinePoses(way.points).length_m(), 30.0, 1e-9);
   EXPECT_EQ(smoother.tally().joins, 0U);
@@ -143,6 +133,21 @@ TEST(JoinProblem, NearAnEdgeItHasAHalfPlaneThatTheStartKeeps) {
     EXPECT_LT(side.normal.dot(p), side.upper);
     EXPECT_GT(side.normal.dot(p + Vec2(0, 2.0 / 0.25)), side.upper);
   }
+}
+
+SmoothedCurve curve_with(std::size_t smoothed, std::size_t bends) {
+  SmoothedCurve curve;
+  curve.smoothed = smoothed;
+  curve.bends = bends;
+  return curve;
+}
+
+TEST(JoinSmoother, KeepsTheCandidateOfWhichMostIsSmoothed) {
+  EXPECT_TRUE(takes_over(curve_with(2, 2), curve_with(1, 2)));
+  EXPECT_FALSE(takes_over(curve_with(1, 2), curve_with(1, 2))) << "of equals the wider one stays";
+  EXPECT_FALSE(takes_over(curve_with(1, 3), curve_with(1, 2)));
+  EXPECT_FALSE(takes_over(curve_with(0, 2), curve_with(1, 2))) << "a smoothed bend is not given up";
+  EXPECT_TRUE(takes_over(curve_with(0, 2), curve_with(0, 2))) << "with none the plain join stays";
 }
 
 }  // namespace

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <random>
 
-#include "planners/steering/line_poses.h"
+#include "planners/steering/basin.h"
 
 namespace swathplan {
 namespace {
 
-constexpr double kRadius = 1.5;
+constexpr double kBendRadius = 1.5;
 
-Area basin() { return {{{{-500, -500}, {500, -500}, {500, 500}, {-500, 500}}, {}}}; }
+Area wide_water() { return {{{{-500, -500}, {500, -500}, {500, 500}, {-500, 500}}, {}}}; }
 
 /// Written as a pen moves: straight on, or along an arc in chords.
 class Pen {
@@ -59,14 +59,7 @@ std::vector<Vec2> points_of(const Route& route) {
   return points;
 }
 
-double tightest(const std::vector<Vec2>& points) {
-  const LinePoses line(points);
-  double least = 1e300;
-  for (std::size_t i = 0; i < line.points().size(); ++i) least = std::min(least, line.radius_at(i));
-  return least;
-}
-
-double distance(const Vec2& p, const std::vector<Vec2>& line) {
+double distance_to(const Vec2& p, const std::vector<Vec2>& line) {
   double least = 1e300;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const Vec2 u = line[i + 1] - line[i];
@@ -77,16 +70,16 @@ double distance(const Vec2& p, const std::vector<Vec2>& line) {
 }
 
 void expect_evened(const std::vector<Vec2>& points) {
-  ASSERT_LT(tightest(points), kRadius);
-  const Connector water(basin(), {.radius_m = kRadius});
+  ASSERT_LT(tightest(points), kBendRadius);
+  const Connector water(wide_water(), {.radius_m = kBendRadius});
   Route route = route_of(points);
-  EXPECT_EQ(even_bends(route, kRadius, water), 0U);
+  EXPECT_EQ(even_bends(route, kBendRadius, water), 0U);
   const std::vector<Vec2> now = points_of(route);
-  EXPECT_GE(tightest(now), kRadius * (1.0 - 1e-6));
+  EXPECT_GE(tightest(now), kBendRadius * (1.0 - 1e-6));
   EXPECT_EQ(now.front(), points.front());
   EXPECT_EQ(now.back(), points.back());
-  for (const Vec2& p : now) EXPECT_LT(distance(p, points), 0.002);
-  for (const Vec2& p : points) EXPECT_LT(distance(p, now), 0.002);
+  for (const Vec2& p : now) EXPECT_LT(distance_to(p, points), 0.002);
+  for (const Vec2& p : points) EXPECT_LT(distance_to(p, now), 0.002);
   for (const Waypoint& w : route.waypoints) EXPECT_TRUE(w.feasible);
 }
 
@@ -127,24 +120,24 @@ TEST(EvenBends, CurvesThatMeetAtRandom) {
       if (share(random) < 0.5) pen.straight(0.1 * share(random));
     }
     pen.straight(3);
-    if (tightest(pen.points()) < kRadius) expect_evened(pen.points());
+    if (tightest(pen.points()) < kBendRadius) expect_evened(pen.points());
     if (HasFailure()) FAIL() << "route " << i << " of seed 7";
   }
 }
 
 TEST(EvenBends, WhatIsNotTightComesBackAsItIs) {
-  const Connector water(basin(), {.radius_m = kRadius});
+  const Connector water(wide_water(), {.radius_m = kBendRadius});
   const auto points = Pen().straight(5).arc(1.53, 90, 30).straight(5).points();
   Route route = route_of(points);
-  EXPECT_EQ(even_bends(route, kRadius, water), 0U);
+  EXPECT_EQ(even_bends(route, kBendRadius, water), 0U);
   EXPECT_EQ(points_of(route), points);
 }
 
 TEST(EvenBends, ACornerIsMarkedAndStays) {
-  const Connector water(basin(), {.radius_m = kRadius});
+  const Connector water(wide_water(), {.radius_m = kBendRadius});
   const std::vector<Vec2> points{{0, 0}, {5, 0}, {5, 1}, {5, 2}, {9, 2}};
   Route route = route_of(points);
-  EXPECT_EQ(even_bends(route, kRadius, water), 2U);
+  EXPECT_EQ(even_bends(route, kBendRadius, water), 2U);
   EXPECT_EQ(points_of(route), points);
   EXPECT_FALSE(route.waypoints[1].feasible);
   EXPECT_TRUE(route.waypoints[2].feasible);

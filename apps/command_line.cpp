@@ -1,0 +1,204 @@
+// The one file that knows CLI11.
+#include "apps/command_line.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <set>
+
+#include "apps/config_file.h"
+#include "mesh/base/error.h"
+
+namespace swathplan {
+namespace {
+
+constexpr int kTypingError = 2;
+
+/// A row and what CLI11 holds of it.
+struct Registered {
+  Option row;
+  CLI::Option* typed;
+};
+
+/// What the help writes for the value of a row.
+std::string type_name(const Option& option) {
+  if (!option.choices.empty()) return fmt::format("{{{}}}", fmt::join(option.choices, ","));
+  if (std::holds_alternative<int*>(option.slot) ||
+      std::holds_alternative<std::optional<int>*>(option.slot)) {
+    return "INT";
+  }
+  if (std::holds_alternative<std::uint64_t*>(option.slot)) return "UINT";
+  const bool real = std::holds_alternative<double*>(option.slot) ||
+                    std::holds_alternative<std::optional<double>*>(option.slot);
+  return real && option.words.empty() ? "FLOAT" : "TEXT";
+}
+
+CLI::Option* registered(CLI::App& app, const Option& row) {
+  // CLI11 hides what is in no group.
+  const std::string group = row.group.empty() ? "Options" : row.group;
+  if (is_switch(row)) return app.add_flag(row.flag, row.help)->group(group);
+  CLI::Option* option = app.add_option(
+      row.flag, [](const CLI::results_t&) { return true; }, row.help);
+  option->type_name(type_name(row))->required(row.required);
+  if (!is_argument(row)) option->group(group)->default_str(default_text(row));
+  if (is_list(row)) {
+    option->delimiter(',');
+    if (row.count > 0) {
+      option->expected(static_cast<int>(row.count));
+    } else {
+      option->expected(1, CLI::detail::expected_max_vector_size);
+    }
+  }
+  return option;
+}
+
+/// The row that a configuration file calls by its name in outputs or by its flag.
+const Option* row_called(const OptionTable& options, const std::string& name) {
+  for (const Option& option : options) {
+    if (is_argument(option) || option.flag == "--config") continue;
+    if ((!option.name.empty() && option.name == name) || "--" + name == long_flag(option)) {
+      return &option;
+    }
+  }
+  return nullptr;
+}
+
+/// Files that outputs name without their folder are looked for beside the configuration file.
+void set_from_config(const Option& option, const ConfigEntry& entry,
+                     const std::filesystem::path& config) {
+  set(option, entry.texts);
+  auto* const* slot = std::get_if<std::filesystem::path*>(&option.slot);
+  if (slot == nullptr || option.name.empty() || (*slot)->empty()) return;
+  const std::filesystem::path beside = config.parent_path() / **slot;
+  if (!std::filesystem::exists(beside)) {
+    throw UsageError(
+        fmt::format("'{}' names the file '{}', which is not beside it; copy it there or give it "
+                    "with {}",
+                    config.string(), (*slot)->string(), long_flag(option)));
+  }
+  **slot = beside;
+}
+
+/// Fills what was not typed. Options of other commands are passed over, so that one file can serve
+/// several commands.
+void read_config_into(const std::vector<Registered>& rows, const OptionTable& of_all_commands,
+                      const std::filesystem::path& config) {
+  OptionTable table;
+  for (const Registered& r : rows) table.push_back(r.row);
+  std::set<const Option*> filled;
+  for (const ConfigEntry& entry : read_config(config)) {
+    const Option* row = row_called(table, entry.name);
+    if (row == nullptr) {
+      if (row_called(of_all_commands, entry.name) != nullptr) continue;
+      throw UsageError(fmt::format("'{}': there is no option '{}'", config.string(), entry.name));
+    }
+    if (!filled.insert(row).second) {
+      throw UsageError(fmt::format("'{}': {} is given twice, once as '{}'", config.string(),
+                                   long_flag(*row), entry.name));
+    }
+    if (rows[static_cast<std::size_t>(row - table.data())].typed->count() > 0) continue;
+    set_from_config(*row, entry, config);
+  }
+}
+
+void check_excludes(const OptionTable& options) {
+  const auto given = [](const Option& option) { return value_of(option).has_value(); };
+  for (const Option& option : options) {
+    if (option.excludes.empty() || !given(option)) continue;
+    for (const Option& other : only(options, option.excludes)) {
+      if (!given(other)) continue;
+      throw UsageError(fmt::format("{} and {} exclude each other; give one of them",
+                                   long_flag(option), long_flag(other)));
+    }
+  }
+}
+
+void fill_and_check(const std::vector<Registered>& rows, const OptionTable& of_all_commands,
+                    const std::filesystem::path& config) {
+  for (const Registered& r : rows) {
+    if (r.typed->count() == 0) continue;
+    set(r.row, is_switch(r.row) ? std::vector<std::string>{"true"} : r.typed->results());
+  }
+  if (!config.empty()) read_config_into(rows, of_all_commands, config);
+  OptionTable table;
+  for (const Registered& r : rows) {
+    check(r.row);
+    table.push_back(r.row);
+  }
+  check_excludes(table);
+}
+
+/// Runs the command; an error about a field of its rows is said in the row's flag.
+void run_in_flags(const std::vector<Registered>& rows, const std::function<void()>& run) {
+  try {
+    run();
+  } catch (const UsageError& error) {
+    for (const Registered& r : rows) {
+      if (is_argument(r.row) || field_of(r.row) != error.field()) continue;
+      throw UsageError(long_flag(r.row) + std::string(error.what()).substr(error.field().size()));
+    }
+    throw;
+  }
+}
+
+void add(CLI::App& app, const Command& command, const OptionTable& of_all_commands) {
+  CLI::App* sub = app.add_subcommand(command.name, command.what);
+  if (!command.commands.empty()) {
+    sub->require_subcommand(1);
+    for (const Command& below : command.commands) add(*sub, below, of_all_commands);
+    return;
+  }
+  std::vector<Registered> rows;
+  for (const Option& row : command.options) rows.push_back({row, registered(*sub, row)});
+  CLI::Option* config = sub->add_option(
+      "--config", [](const CLI::results_t&) { return true; },
+      "Options from this file, where they are not typed: TOML (survey.toml beside the results), "
+      "or score.json, plan.json");
+  config->type_name("FILE");
+  sub->callback([rows, config, run = command.run, &of_all_commands] {
+    fill_and_check(rows, of_all_commands, config->count() > 0 ? config->results().front() : "");
+    run_in_flags(rows, run);
+  });
+}
+
+OptionTable options_of(const std::vector<Command>& commands) {
+  OptionTable all;
+  for (const Command& command : commands) {
+    all = joined({std::move(all), command.options, options_of(command.commands)});
+  }
+  return all;
+}
+
+/// @throws UsageError for a first word that is no command, which CLI11 would not name.
+void check_command(const std::vector<Command>& commands, int argc, const char* const* argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const Command& command : commands) {
+    if (command.name == argv[1]) return;
+    names.push_back(command.name);
+  }
+  throw UsageError(
+      fmt::format("'{}' is not a command; choose one of {}", argv[1], fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+int run_commands(const std::string& what, const std::string& version,
+                 const std::vector<Command>& commands, int argc, const char* const* argv) {
+  check_command(commands, argc, argv);
+  const OptionTable all = options_of(commands);
+  CLI::App app{what};
+  app.set_version_flag("--version", version);
+  app.require_subcommand(1);
+  for (const Command& command : commands) add(app, command, all);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : kTypingError;
+  }
+  return 0;
+}
+
+}  // namespace swathplan

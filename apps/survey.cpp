@@ -1,0 +1,256 @@
+#include "apps/survey.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "mesh/base/error.h"
+#include "planners/nuc/skeleton_smoothing.h"
+
+namespace swathplan {
+namespace {
+
+double number(const std::string& text, const char* option) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) {
+    throw UsageError(fmt::format("{}: '{}' is not a number", option, text));
+  }
+  return value;
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t from = 0;
+  for (;;) {
+    const std::size_t to = text.find(separator, from);
+    parts.push_back(text.substr(from, to - from));
+    if (to == std::string::npos) return parts;
+    from = to + 1;
+  }
+}
+
+/// '4': so many equal bands; '10,20' or '15.0': the depths between them.
+DepthBands bands(const std::string& text) {
+  DepthBands result;
+  if (text.find_first_of(",.") == std::string::npos) {
+    const double count = number(text, "--depth-bands");
+    if (!(count >= 1.0 && count <= 100.0) || count != std::floor(count)) {
+      throw UsageError(fmt::format(
+          "--depth-bands {}; must be a whole number of 1 to 100 equal bands, or depths as in "
+          "'10,20' ('15.0' for a single one)",
+          text));
+    }
+    result.count = static_cast<int>(count);
+    return result;
+  }
+  for (const std::string& part : split(text, ',')) {
+    if (part.empty()) continue;
+    result.limits.push_back(number(part, "--depth-bands"));
+    const std::size_t n = result.limits.size();
+    if (!(result.limits.back() > 0.0) ||
+        (n > 1 && !(result.limits[n - 1] > result.limits[n - 2]))) {
+      throw UsageError(fmt::format(
+          "--depth-bands {}; the depths between bands must be above 0 metres and ascending", text));
+    }
+  }
+  if (result.limits.empty()) {
+    throw UsageError("--depth-bands: no depth given; write '10,20' or a number of bands");
+  }
+  return result;
+}
+
+Vec2 start_point(const std::string& text) {
+  const auto parts = split(text, ',');
+  if (parts.size() != 2) {
+    throw UsageError(fmt::format(
+        "--start '{}'; must be X,Y in the coordinates of the seafloor file, as in '150,20'", text));
+  }
+  return {number(parts[0], "--start"), number(parts[1], "--start")};
+}
+
+void set_if(double& value, const std::optional<double>& given) {
+  if (given) value = *given;
+}
+
+void keep(std::optional<double>& given, double in_force) {
+  if (!given) given = in_force;
+}
+
+TrackNoise noise_of(const NoiseChoice& o) {
+  TrackNoise noise;
+  noise.seed = o.seed;
+  if (o.preset == "calm" || o.preset == "rough") {
+    const bool calm = o.preset == "calm";
+    noise.lateral_sigma_m = calm ? 0.3 : 1.0;
+    noise.heading_sigma = Angle::degrees(calm ? 2.0 : 4.0);
+  }
+  set_if(noise.lateral_sigma_m, o.lateral_sigma_m);
+  set_if(noise.heave_sigma_m, o.heave_sigma_m);
+  if (o.heading_sigma_deg) noise.heading_sigma = Angle::degrees(*o.heading_sigma_deg);
+  if (o.roll_sigma_deg) noise.roll_sigma = Angle::degrees(*o.roll_sigma_deg);
+  return noise;
+}
+
+PlanOptions planning_of(const SurveyOptions& options, const Survey& survey) {
+  const PlanningChoice& o = options.planning;
+  PlanOptions result;
+  result.sonar = survey.sonar;
+  result.vehicle = survey.vehicle;
+  result.resolution_m = options.scoring.resolution_m;
+  result.faces = o.faces == "quad" ? FaceShape::quad : FaceShape::triangle;
+  result.face_size = o.face_size;
+  result.ping_spacing_m = options.scoring.ping_spacing_m;
+  result.noise = survey.scoring.noise;
+  result.threads = options.scoring.threads;
+  result.bands = bands(o.depth_bands);
+  result.smallest_region_m2 = o.smallest_region_m2;
+  result.opening = o.opening == "ping" ? Opening::ping : Opening::region;
+  if (o.smooth == "ipopt") result.smooth = smoothing_for(result);
+  result.run_in_m = o.run_in_m;
+  result.run_out_m = o.run_out_m;
+  if (o.heading_deg) result.heading = Angle::degrees(*o.heading_deg);
+  result.lines = o.lines == "straight" ? LineSource::straight
+                 : o.lines == "field"  ? LineSource::field
+                                       : LineSource::automatic;
+  result.goal.coverage_pct = o.goal_coverage_pct;
+  result.goal.length_m = o.goal_length_m;
+  if (o.goal_time_h) result.goal.time_s = 3600.0 * *o.goal_time_h;
+  if (o.cover == "footprint" && options.scoring.hit_only) {
+    throw UsageError(
+        "--cover footprint with --hit-only; plans are judged by the footprint score, leave "
+        "--hit-only out");
+  }
+  result.cover = o.cover == "footprint" ? Cover::footprint : Cover::hit;
+  result.lines_margin = o.line_margin_pct / 100.0;
+  return result;
+}
+
+}  // namespace
+
+Sonar sonar_of(const SonarChoice& o) {
+  const auto preset = sonar_preset(o.preset);
+  if (!preset) throw UsageError("sonar", o.preset, "no such preset");
+  Sonar sonar = *preset;
+  if (o.beams) sonar.beams = *o.beams;
+  if (o.max_opening_deg) sonar.max_opening = Angle::degrees(*o.max_opening_deg);
+  sonar.spacing =
+      o.beam_spacing == "equidistant" ? BeamSpacing::equidistant : BeamSpacing::equiangular;
+  return sonar;
+}
+
+Vehicle vehicle_of(const VehicleChoice& o) {
+  const auto preset = vehicle_preset(o.preset);
+  if (!preset) throw UsageError("vehicle", o.preset, "no such preset");
+  Vehicle vehicle = *preset;
+  set_if(vehicle.draft_m, o.draft_m);
+  set_if(vehicle.under_keel_margin_m, o.margin_m);
+  set_if(vehicle.squat_m, o.squat_m);
+  set_if(vehicle.clearance_m, o.clearance_m);
+  set_if(vehicle.turn_radius_m, o.turn_radius_m);
+  set_if(vehicle.speed_mps, o.speed_mps);
+  set_if(vehicle.turn_speed_mps, o.turn_speed_mps);
+  set_if(vehicle.transit_speed_mps, o.transit_speed_mps);
+  set_if(vehicle.endurance_h, o.endurance_h);
+  if (o.contingency_pct) vehicle.contingency = *o.contingency_pct / 100.0;
+  if (o.power_w) vehicle.power_w = o.power_w;
+  return vehicle;
+}
+
+Survey survey_of(const SurveyOptions& o) {
+  Survey survey;
+  survey.sonar = sonar_of(o.sonar);
+  survey.vehicle = vehicle_of(o.vehicle);
+  survey.scoring.resolution_m = o.scoring.resolution_m;
+  survey.scoring.ping_spacing_m = o.scoring.ping_spacing_m;
+  survey.scoring.holiday_m2 = o.scoring.holiday_m2;
+  survey.scoring.nodata = o.scoring.nodata == "open" ? Nodata::open : Nodata::wall;
+  survey.scoring.footprint = !o.scoring.hit_only;
+  survey.scoring.threads = o.scoring.threads;
+  survey.scoring.noise = noise_of(o.noise);
+  survey.planning = planning_of(o, survey);
+  survey.start_text = o.planning.start;
+  if (!survey.start_text.empty()) survey.start_xy = start_point(survey.start_text);
+  return survey;
+}
+
+PlanOptions planning_in(const Survey& survey, const Frame& frame) {
+  PlanOptions options = survey.planning;
+  if (survey.start_xy) options.start = frame.to_local(*survey.start_xy);
+  return options;
+}
+
+VehicleChoice in_force(const VehicleChoice& typed, const Vehicle& vehicle) {
+  VehicleChoice o = typed;
+  keep(o.draft_m, vehicle.draft_m);
+  keep(o.margin_m, vehicle.under_keel_margin_m);
+  keep(o.squat_m, vehicle.squat_m);
+  keep(o.clearance_m, vehicle.clearance_m);
+  keep(o.turn_radius_m, vehicle.turn_radius_m);
+  keep(o.speed_mps, vehicle.speed_mps);
+  keep(o.turn_speed_mps, vehicle.turn_speed_mps);
+  keep(o.transit_speed_mps, vehicle.transit_speed_mps);
+  keep(o.endurance_h, vehicle.endurance_h);
+  keep(o.contingency_pct, 100.0 * vehicle.contingency);
+  if (!o.power_w) o.power_w = vehicle.power_w;
+  return o;
+}
+
+SurveyOptions in_force(const SurveyOptions& typed, const Survey& survey) {
+  SurveyOptions o = typed;
+  if (!o.sonar.beams) o.sonar.beams = survey.sonar.beams;
+  keep(o.sonar.max_opening_deg, tidy_degrees(survey.sonar.max_opening));
+  o.vehicle = in_force(typed.vehicle, survey.vehicle);
+  const TrackNoise& noise = survey.scoring.noise;
+  keep(o.noise.lateral_sigma_m, noise.lateral_sigma_m);
+  keep(o.noise.heading_sigma_deg, tidy_degrees(noise.heading_sigma));
+  keep(o.noise.roll_sigma_deg, tidy_degrees(noise.roll_sigma));
+  keep(o.noise.heave_sigma_m, noise.heave_sigma_m);
+  keep(o.planning.smallest_region_m2, smallest_region_m2(survey.planning));
+  return o;
+}
+
+ImportOptions import_options(const SiteOptions& o) {
+  ImportOptions result;
+  result.crs = o.crs;
+  result.water_level_m = o.water_level_m;
+  result.z_positive =
+      o.z_positive == "down" ? ImportOptions::ZPositive::down : ImportOptions::ZPositive::up;
+  result.z_unit_m = o.z_unit_m;
+  result.xy_unit_m = o.xy_unit_m;
+  result.longest_edge_m = o.longest_edge_m;
+  result.nodata = o.nodata_value;
+  return result;
+}
+
+Provenance provenance_of(const std::string& command, const SiteOptions& site,
+                         const std::string& input_hash) {
+  Provenance provenance;
+  provenance.version = SWATHPLAN_VERSION;
+  provenance.command = command;
+  provenance.input_file = site.file.filename().string();
+  provenance.input_hash = input_hash;
+  SiteOptions typed = site;
+  record(provenance, site_options(typed));
+  return provenance;
+}
+
+void record(Provenance& provenance, const OptionTable& options) {
+  record(provenance, options, options);
+}
+
+void record_scoring(Provenance& provenance, const SurveyOptions& typed, const Survey& survey) {
+  SurveyOptions as_typed = typed;
+  SurveyOptions now = in_force(typed, survey);
+  record(provenance, scoring_options(as_typed), scoring_options(now));
+}
+
+void record_planning(Provenance& provenance, const SurveyOptions& typed, const Survey& survey) {
+  SurveyOptions as_typed = typed;
+  SurveyOptions now = in_force(typed, survey);
+  record(provenance, planning_options(as_typed.planning), planning_options(now.planning));
+}
+
+}  // namespace swathplan

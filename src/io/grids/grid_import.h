@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/grids/surface_data.h"
+
+namespace swathplan {
+
+/// True if GDAL recognises the file as a raster.
+[[nodiscard]] bool is_grid(const std::filesystem::path& path);
+
+/// Reads one band of a raster: the first one, or that which `layer` names. Nodes are the cell
+/// centres; four valid nodes make two triangles whose diagonal runs from the south-west to the
+/// north-east node; a cell with a nodata or NaN corner is no seafloor. Scale, offset and rotated
+/// geotransforms are honoured, and so are units, 'positive: down' and vertical reference systems.
+/// A variable-resolution BAG is read at its refinements, S-102 (HDF5) by its depths. `layer`: names
+/// separated by commas, of variables, subdatasets or bands. O(cells).
+/// @throws InvalidInput if it cannot be opened, is a picture, has no georeference or more cells than
+///   kMostCells, holds several layers none of which is chosen, or no four valid neighbours.
+[[nodiscard]] SurfaceData read_grid(const std::filesystem::path& path,
+                                    std::optional<double> nodata = {},
+                                    const std::string& layer = {});
+
+inline constexpr std::size_t kMostCells = 100'000'000;  ///< about 5 GB of triangles
+inline constexpr std::uint32_t kNoNode = 0xffffffffU;
+
+/// Joins the nodes of a lattice: `node` holds the vertex index per place, row by row from the
+/// south, west to east, or kNoNode.
+[[nodiscard]] std::vector<std::array<std::uint32_t, 3>> lattice_faces(
+    const std::vector<std::uint32_t>& node, std::size_t columns);
+
+}  // namespace swathplan

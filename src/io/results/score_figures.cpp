@@ -1,0 +1,98 @@
+#include "io/results/score_figures.h"
+
+#include <map>
+#include <optional>
+
+namespace swathplan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+void add_coverage(Json& json, const Score& score) {
+  json["coverage_hit_pct"] = score.all.hit_pct;
+  json["coverage_footprint_pct"] = number_or_null(score.all.footprint_pct);
+  json["coverage_hit_logged_pct"] = score.logged.hit_pct;
+  json["coverage_footprint_logged_pct"] = number_or_null(score.logged.footprint_pct);
+  json["coverage_hit_2_pct"] = score.all.hit_2_pct;
+  json["coverage_hit_5_pct"] = score.all.hit_5_pct;
+  json["coverage_hit_2_logged_pct"] = score.logged.hit_2_pct;
+  json["coverage_hit_5_logged_pct"] = score.logged.hit_5_pct;
+  json["overlap_soundings_per_cell"] = score.overlap;
+  json["several_legs_pct"] = score.several_legs_pct;
+  json["cells"] = score.cells;
+  json["pings"] = score.pings;
+  json["rays"] = score.rays;
+  json["soundings"] = score.soundings;
+  json["survey_area_m2"] = score.survey_area_m2;
+  json["footprint_width_m"] = score.footprint_width_m;
+}
+
+void add_route(Json& json, const RouteFigures& route) {
+  json["length_m"] = route.length_m;
+  json["length_ratio"] = route.length_ratio;
+  json["logged_length_m"] = route.logged_length_m;
+  json["length_by_kind_m"] = Json::object();
+  for (const auto& [kind, metres] : route.length_by_kind_m) {
+    json["length_by_kind_m"][kind] = metres;
+  }
+  json["duration_s"] = route.duration_s;
+  json["duration_by_kind_s"] = Json::object();
+  for (const auto& [kind, seconds] : route.duration_by_kind_s) {
+    json["duration_by_kind_s"][kind] = seconds;
+  }
+  json["duration_by_line_s"] = Json::object();
+  for (const auto& [line, seconds] : route.duration_by_line_s) {
+    json["duration_by_line_s"][std::to_string(line)] = seconds;
+  }
+  json["contingency_s"] = route.contingency_s;
+  json["duration_with_contingency_s"] = route.duration_s + route.contingency_s;
+  json["energy_wh"] = route.energy_wh ? Json(*route.energy_wh) : Json(nullptr);
+  json["energy_by_line_wh"] = Json::object();
+  if (route.energy_wh && route.duration_s > 0.0) {
+    for (const auto& [line, seconds] : route.duration_by_line_s) {
+      json["energy_by_line_wh"][std::to_string(line)] =
+          *route.energy_wh * seconds / route.duration_s;
+    }
+  }
+  json["beyond_endurance"] = route.beyond_endurance;
+  json["infeasible_legs"] = route.infeasible_legs;
+  json["infeasible_m"] = route.infeasible_m;
+  json["tight_turn_m"] = route.tight_turn_m;
+  json["turns"] = route.turns;
+  json["sharp_turns"] = route.sharp_turns;
+  json["total_turning_deg"] = route.total_turning_deg;
+  json["min_turn_radius_m"] = route.min_turn_radius_m;
+  json["self_crossings"] = route.self_crossings;
+  json["shared_stretches"] = route.shared_stretches;
+  json["shared_m"] = route.shared_m;
+  json["outside_water_m"] = route.outside_water_m;
+  json["unknown_depth_m"] = route.unknown_depth_m;
+  json["min_under_keel_m"] = route.min_under_keel_m;
+}
+
+void add_holidays(Json& json, const Holidays& holidays) {
+  json["holidays"] = holidays.count;
+  json["largest_holiday_m2"] = holidays.largest_m2;
+  json["holidays_total_m2"] = holidays.total_m2;
+  json["holidays_listed"] = holidays.list.size();
+  json["holidays_listed_by_cause_m2"] = Json::object();
+  std::map<HolidayCause, double> by_cause;
+  for (const Holiday& h : holidays.list) by_cause[h.cause] += h.area_m2;
+  for (const auto& [cause, metres] : by_cause) {
+    json["holidays_listed_by_cause_m2"][std::string(name(cause))] = metres;
+  }
+}
+
+}  // namespace
+
+nlohmann::ordered_json score_figures(const Score& score) {
+  Json json = Json::object();
+  add_coverage(json, score);
+  add_route(json, score.route);
+  add_holidays(json, score.holidays);
+  return json;
+}
+
+}  // namespace swathplan

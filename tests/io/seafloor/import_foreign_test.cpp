@@ -1,0 +1,116 @@
+// Files that once gave a wrong seafloor without a word: upside down, packed, of other programs.
+#include <cpl_vsi.h>
+#include <gmock/gmock.h>
+
+#include "io/import_files.h"
+#include "io/seafloor/import_seafloor.h"
+#include "io/seafloor/inspection.h"
+
+namespace swathplan {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+using ForeignFiles = ImportFiles;
+
+constexpr std::string_view kHead = "ncols 3\nnrows 4\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
+
+void put(const std::string& target, const std::string& text) {
+  VSILFILE* file = VSIFOpenL(target.c_str(), "wb");
+  ASSERT_NE(file, nullptr) << target;
+  EXPECT_EQ(VSIFWriteL(text.data(), 1, text.size(), file), text.size());
+  EXPECT_EQ(VSIFCloseL(file), 0);
+}
+
+TEST_F(ForeignFiles, DepthsWithNegativeLandAreWarnedAboutBeforeMostIsLand) {
+  const auto file = write("a.asc", std::string(kHead) + "9 9 9\n10 11 9\n8 9 9\n-1.5 -1.5 -1.5\n");
+  const ImportedSeafloor up = import_seafloor(file);
+  EXPECT_LT(up.land_share, 0.9);
+  EXPECT_THAT(warnings_of(up), Contains(AllOf(HasSubstr("looks like depths, positive down"),
+                                              HasSubstr("<z positive> down"))));
+  const ImportedSeafloor down =
+      import_seafloor(file, {.z_positive = ImportOptions::ZPositive::down});
+  EXPECT_THAT(warnings_of(down), Not(Contains(HasSubstr("looks like depths"))));
+  EXPECT_DOUBLE_EQ(down.raw_z_max, 11.0);
+}
+
+TEST_F(ForeignFiles, UnitOfAVectorColumnIsUsedUnlessAnotherIsGiven) {
+  std::string text = R"({"type":"FeatureCollection","features":[)";
+  for (int i = 0; i < 9; ++i) {
+    text += std::string(i == 0 ? "" : ",") + R"({"type":"Feature","properties":{"depth_ft":)" +
+            std::to_string(10 + i) + R"(},"geometry":{"type":"Point","coordinates":[)" +
+            std::to_string(15.0 + 0.001 * (i % 3)) + "," + std::to_string(36.0 + 0.001 * (i / 3)) +
+            "]}}";
+  }
+  const auto file = write("a.geojson", text + "]}");
+  const ImportedSeafloor r = import_seafloor(file);
+  EXPECT_EQ(r.kind, "soundings");
+  EXPECT_NEAR(depth_range(r.seafloor).max, 18 * 0.3048, 1e-9);
+  EXPECT_NEAR(depth_range(import_seafloor(file, {.z_unit_m = 2.0}).seafloor).max, 36.0, 1e-9);
+}
+
+TEST_F(ForeignFiles, PackedFilesAreReadAsTheyAre) {
+  const std::string grid = std::string(kHead) + "-9 -9 -9\n-10 -11 -9\n-8 -9 -9\n-7 -7 -7\n";
+  const ImportedSeafloor plain = import_seafloor(write("a.asc", grid));
+  put("/vsigzip/" + path("a.asc.gz").string(), grid);
+  const ImportedSeafloor packed = import_seafloor(path("a.asc.gz"));
+  EXPECT_EQ(packed.kind, "grid");
+  EXPECT_EQ(packed.file, path("a.asc.gz").string());
+  EXPECT_EQ(packed.seafloor.vertices, plain.seafloor.vertices);
+  EXPECT_NE(packed.input_hash, plain.input_hash);
+  put("/vsigzip/" + path("b.xyz.gz").string(), "0 0 -8\n10 0 -9\n0 10 -8\n10 10 -9\n");
+  EXPECT_EQ(import_seafloor(path("b.xyz.gz")).kind, "soundings");
+  put("/vsigzip/" + path("c.xyz.gz").string(), "0 0 -8\nhello\n");
+  EXPECT_THAT(refusal([&] { return import_seafloor(path("c.xyz.gz")); }),
+              HasSubstr(path("c.xyz.gz").string() + "/c.xyz"));
+}
+
+TEST_F(ForeignFiles, RawSonarFilesAreNamed) {
+  const auto file =
+      write("a.kmall", std::string("\x40\x01\x00\x00#IIP", 8) + std::string(400, '\0'));
+  EXPECT_THAT(refusal([&] { return import_seafloor(file); }),
+              AllOf(HasSubstr("raw multibeam"), Not(HasSubstr("garbled"))));
+}
+
+/// A sheet of 4 faces, `depth` deep at its corner, as OBJ; `first` is its first vertex.
+std::string sheet(double depth, int first) {
+  std::string text;
+  for (int i = 0; i < 9; ++i) {
+    text += "v " + std::to_string(10 * (i % 3)) + " " + std::to_string(10 * (i / 3)) + " " +
+            std::to_string(-depth - 0.1 * i) + "\n";
+  }
+  for (const int i : {0, 1, 3, 4}) {
+    const int a = first + i;
+    text += "f " + std::to_string(a) + " " + std::to_string(a + 1) + " " + std::to_string(a + 4) +
+            " " + std::to_string(a + 3) + "\n";
+  }
+  return text;
+}
+
+TEST_F(ForeignFiles, ALayerBelowTheSeafloorDoesNotCount) {
+  const auto file = write("a.obj", sheet(10, 1) + sheet(15, 10));
+  const std::string text = inspection_text(import_seafloor(file));
+  EXPECT_THAT(text, HasSubstr("400 m2"));
+  EXPECT_THAT(text, HasSubstr("10.00 to 10.80 m"));
+  EXPECT_THAT(text, HasSubstr("8 of 16 faces lie below others"));
+  EXPECT_THAT(inspection_text(import_seafloor(write("b.obj", sheet(10, 1)))),
+              Not(HasSubstr("below others")));
+}
+
+TEST_F(ForeignFiles, AMeshWithYUpIsWarnedAbout) {
+  std::string text;
+  for (int i = 0; i < 9; ++i) {
+    text += "v " + std::to_string(10 * (i % 3)) + " " + std::to_string(-10 - 0.1 * i) + " " +
+            std::to_string(-10 * (i / 3)) + "\n";
+  }
+  text += "f 1 2 5 4\nf 2 3 6 5\nf 4 5 8 7\nf 5 6 9 8\n";
+  EXPECT_THAT(warnings_of(import_seafloor(write("a.obj", text))),
+              Contains(HasSubstr("looks y up")));
+  EXPECT_THAT(warnings_of(import_seafloor(write("b.obj", sheet(10, 1)))),
+              Not(Contains(HasSubstr("y up"))));
+}
+
+}  // namespace
+}  // namespace swathplan
