@@ -86,7 +86,8 @@ OptionTable site_options(SiteOptions& o, bool with_file) {
            "Survey only inside these polygons (GeoJSON, GeoPackage, ...)", "area_file"),
       path("--no-go", kSeafloorGroup, o.no_go, "Never enter these polygons", "no_go_file"),
       texts("--layer", kSeafloorGroup, o.layers,
-            "Layers of these files that are meant, separated by commas (default: the only one)",
+            "Layers or variables of FILE and of these files that are meant, separated by commas "
+            "(default: the only one)",
             "layers"),
       real("--buffer", kSeafloorGroup, o.buffer_m, kMetres, at_least(0.0),
            "Lines and points of these files count with so much room around, metres; 0: not at all",

@@ -1,6 +1,7 @@
 #include "apps/survey.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>
@@ -222,6 +223,7 @@ ImportOptions import_options(const SiteOptions& o) {
   result.xy_unit_m = o.xy_unit_m;
   result.longest_edge_m = o.longest_edge_m;
   result.nodata = o.nodata_value;
+  result.layer = fmt::format("{}", fmt::join(o.layers, ","));
   return result;
 }
 

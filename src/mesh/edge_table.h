@@ -10,18 +10,19 @@ namespace swathplan {
 
 /// One use of an undirected edge by a face: corner `corner` of `face` begins it.
 struct EdgeUse {
-  std::uint32_t low, high;  ///< its vertices, low < high
+  std::uint32_t low, high;  ///< its vertices; the same for an edge from a vertex to itself
   std::uint32_t face;
   std::uint8_t corner;
   bool ascends;  ///< the face runs from low to high
 };
 
-/// All edge uses of a triangle mesh, sorted by edge, then by face. O(n) for meshes of bounded
-/// valence: bucketed by the lower vertex.
+/// All edge uses of a triangle mesh whose faces name vertices below `vertices`, three for each
+/// face, sorted by edge, then by face. None for no faces. O(n) where few edges meet at a vertex,
+/// since they are sorted within each lower vertex only.
 [[nodiscard]] std::vector<EdgeUse> edge_uses(const std::vector<Seafloor::Face>& faces,
                                              std::size_t vertices);
 
-/// Calls `visit` with the uses of each edge in turn.
+/// Calls `visit` once for each edge, with all its uses, in the order of the table.
 template <class Visit>
 void for_each_edge(const std::vector<EdgeUse>& uses, Visit visit) {
   for (std::size_t begin = 0; begin < uses.size();) {

@@ -30,7 +30,8 @@ constexpr std::size_t kMostFiles = 1000;
 
 bool starts_with_bytes(const fs::path& path, std::string_view bytes) {
   std::string head(bytes.size(), '\0');
-  std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  std::ifstream(path, std::ios::binary)
+      .read(head.data(), static_cast<std::streamsize>(head.size()));
   return head == bytes;
 }
 
@@ -142,9 +143,9 @@ std::string choose_file(const std::vector<std::string>& names, const std::string
     if (const auto chosen = chosen_layer(layer, *have)) return files[*chosen];
   }
   constexpr std::size_t kMostNames = 20;
-  std::vector<std::string> shown(files.begin(),
-                                 files.begin() + static_cast<std::ptrdiff_t>(
-                                                     std::min(files.size(), kMostNames)));
+  std::vector<std::string> shown(
+      files.begin(),
+      files.begin() + static_cast<std::ptrdiff_t>(std::min(files.size(), kMostNames)));
   for (std::string& name : shown) name = quotable(name);
   throw InvalidInput(fmt::format(
       "'{}' holds {} files ({}{}); choose one with <layer>, or unpack it and name the file",
@@ -155,8 +156,8 @@ std::string choose_file(const std::vector<std::string>& names, const std::string
 fs::path new_folder() {
   std::string name = (fs::temp_directory_path() / "swathplan-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) {
-    throw InvalidInput(fmt::format("no temporary folder can be made in '{}'",
-                                   fs::temp_directory_path().string()));
+    throw InvalidInput(
+        fmt::format("no temporary folder can be made in '{}'", fs::temp_directory_path().string()));
   }
   return name;
 }

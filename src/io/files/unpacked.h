@@ -14,7 +14,8 @@ class Unpacked {
   /// `layer` names the file to read where several are packed together (names separated by commas,
   /// with or without folder and extension). Files that only go with others (.prj, .tfw, ...) do not
   /// count.
-  /// @throws InvalidInput if the file cannot be unpacked to its end, holds nothing, is too large, or
+  /// @throws InvalidInput if the file cannot be unpacked to its end, holds nothing, is too large,
+  /// or
   ///   holds several files none of which is chosen.
   Unpacked(const std::filesystem::path& packed, const std::string& layer);
   ~Unpacked();

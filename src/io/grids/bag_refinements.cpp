@@ -72,10 +72,11 @@ Refinements read_cells(const fs::path& path, std::optional<double> nodata) {
   const auto nodes = bag ? bag->OpenMDArray("varres_refinements") : nullptr;
   const auto overview = bag ? bag->OpenMDArray("elevation") : nullptr;
   if (!cells || !nodes || !overview) {
-    throw InvalidInput(fmt::format(
-        "'{}' says that it has refinements, but they cannot be found; its overview alone would hide "
-        "shoals, so it is not used",
-        path.string()));
+    throw InvalidInput(
+        fmt::format("'{}' says that it has refinements, but they cannot be found; its overview "
+                    "alone would hide "
+                    "shoals, so it is not used",
+                    path.string()));
   }
   const Raster& o = all.overview;
   const std::size_t count = o.columns * o.rows;
@@ -92,7 +93,9 @@ Refinements read_cells(const fs::path& path, std::optional<double> nodata) {
   check_count(coarse.size(), count, path);
   const std::size_t refined = all.heights.size();
   const Vec2 size(o.transform[1], std::abs(o.transform[5]));
-  const Vec2 corner(o.transform[0], std::min(o.transform[3], o.transform[3] + static_cast<double>(o.rows) * o.transform[5]));
+  const Vec2 corner(
+      o.transform[0],
+      std::min(o.transform[3], o.transform[3] + static_cast<double>(o.rows) * o.transform[5]));
   for (std::size_t i = 0; i < count; ++i) {
     const Vec2 cell = corner + Vec2(static_cast<double>(i % o.columns) * size.x(),
                                     static_cast<double>(i / o.columns) * size.y());
@@ -139,8 +142,8 @@ std::optional<Raster> as_one_grid(const Refinements& all) {
   Raster grid;
   grid.columns = static_cast<std::size_t>(std::lround(places.x())) + 1;
   grid.rows = static_cast<std::size_t>(std::lround(places.y())) + 1;
-  grid.transform = {low.x() - 0.5 * step.x(), step.x(), 0.0, low.y() - 0.5 * step.y(), 0.0,
-                    step.y()};
+  grid.transform = {low.x() - 0.5 * step.x(), step.x(), 0.0,
+                    low.y() - 0.5 * step.y(), 0.0,      step.y()};
   grid.nodata = all.overview.nodata;
   grid.more_nodata = all.overview.more_nodata;
   grid.raw.assign(grid.columns * grid.rows, std::numeric_limits<double>::quiet_NaN());
@@ -168,8 +171,8 @@ std::vector<Node> nodes_of(const Refinements& all, const fs::path& path) {
       const Vec2 at = r.south_west + Vec2(static_cast<double>(i % r.columns) * r.step.x(),
                                           static_cast<double>(i / r.columns) * r.step.y());
       if (!std::isfinite(z) || !at.allFinite()) {
-        throw InvalidInput(fmt::format("'{}': a refinement holds a value that is not finite",
-                                       path.string()));
+        throw InvalidInput(
+            fmt::format("'{}': a refinement holds a value that is not finite", path.string()));
       }
       nodes.push_back({Vec3(at.x(), at.y(), z), static_cast<std::uint32_t>(c)});
     }
@@ -243,9 +246,9 @@ SurfaceData join_refinements(const Refinements& all, const fs::path& path) {
   data.notes.push_back(fmt::format(
       "variable resolution: read at its refinements, {:.4g} to {:.4g} a cell{}",
       finest_step(all.cells), coarsest_step(all.cells),
-      all.unrefined == 0 ? ""
-                         : fmt::format("; {} cells have none and keep their overview node",
-                                       all.unrefined)));
+      all.unrefined == 0
+          ? ""
+          : fmt::format("; {} cells have none and keep their overview node", all.unrefined)));
   return data;
 }
 

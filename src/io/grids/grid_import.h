@@ -18,7 +18,8 @@ namespace swathplan {
 /// geotransforms are honoured, and so are units, 'positive: down' and vertical reference systems.
 /// A variable-resolution BAG is read at its refinements, S-102 (HDF5) by its depths. `layer`: names
 /// separated by commas, of variables, subdatasets or bands. O(cells).
-/// @throws InvalidInput if it cannot be opened, is a picture, has no georeference or more cells than
+/// @throws InvalidInput if it cannot be opened, is a picture, has no georeference or more cells
+/// than
 ///   kMostCells, holds several layers none of which is chosen, or no four valid neighbours.
 [[nodiscard]] SurfaceData read_grid(const std::filesystem::path& path,
                                     std::optional<double> nodata = {},

@@ -17,14 +17,13 @@ namespace fs = std::filesystem;
 
 /// A raster inside another file.
 struct Subdataset {
-  std::string source;  ///< what GDAL opens
-  std::string name;    ///< 'elevation'
+  std::string source;   ///< what GDAL opens
+  std::string name;     ///< 'elevation'
   bool is_flat = true;  ///< two dimensions, both of more than one place
 };
 
 GDALDatasetUniquePtr open_raster(const std::string& source) {
-  return GDALDatasetUniquePtr(
-      GDALDataset::Open(source.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  return GDALDatasetUniquePtr(GDALDataset::Open(source.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
 }
 
 /// 'NETCDF:"/a/b.nc":depth' -> 'depth', 'GTIFF_DIR:2:/a/b.tif' -> '2'.
@@ -53,8 +52,8 @@ bool is_flat(const std::string& description) {
 std::vector<Subdataset> subdatasets_of(GDALDataset& data, const fs::path& path) {
   std::vector<Subdataset> found;
   char** list = data.GetMetadata("SUBDATASETS");
-  for (int i = 1; const char* source = CSLFetchNameValue(
-                      list, fmt::format("SUBDATASET_{}_NAME", i).c_str());
+  for (int i = 1;
+       const char* source = CSLFetchNameValue(list, fmt::format("SUBDATASET_{}_NAME", i).c_str());
        ++i) {
     const char* text = CSLFetchNameValue(list, fmt::format("SUBDATASET_{}_DESC", i).c_str());
     const std::string name = source;
@@ -134,9 +133,9 @@ void choose_band(GridSource& source, const std::string& layer) {
   if (extra != nullptr) {
     std::string axes = extra;  // '{time}'
     std::erase_if(axes, [](char c) { return c == '{' || c == '}'; });
-    source.warnings.push_back(fmt::format(
-        "the values run along '{}' too: step {} of {} was read{}", axes, source.band, count,
-        chosen ? "" : "; choose another with <layer> and its number"));
+    source.warnings.push_back(
+        fmt::format("the values run along '{}' too: step {} of {} was read{}", axes, source.band,
+                    count, chosen ? "" : "; choose another with <layer> and its number"));
     return;
   }
   const std::string name = band_name(*source.data, source.band);

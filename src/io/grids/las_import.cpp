@@ -112,8 +112,8 @@ std::vector<LasPoint> read_points(const Bytes& bytes, unsigned format, const fs:
                                    path.string(), count, kMostPoints));
   }
   if (format > 10 || size < 20) {
-    throw InvalidInput(fmt::format("'{}' is LAS of a kind that is not known; {}", path.string(),
-                                   kConvert));
+    throw InvalidInput(
+        fmt::format("'{}' is LAS of a kind that is not known; {}", path.string(), kConvert));
   }
   (void)bytes.view(first, count * size);
   const Vec3 scale(bytes.at<double>(131), bytes.at<double>(139), bytes.at<double>(147));
@@ -128,8 +128,8 @@ std::vector<LasPoint> read_points(const Bytes& bytes, unsigned format, const fs:
     points[i].type = format < 6 ? flags & 31U : bytes.at<std::uint8_t>(at + 16);
     points[i].withheld = (flags & (format < 6 ? 128U : 4U)) != 0;
     if (!points[i].place.allFinite()) {
-      throw InvalidInput(fmt::format("'{}', point {}: a coordinate is not finite", path.string(),
-                                     i + 1));
+      throw InvalidInput(
+          fmt::format("'{}', point {}: a coordinate is not finite", path.string(), i + 1));
     }
   }
   return points;
@@ -162,15 +162,16 @@ SurfaceData read_las(const fs::path& path, bool z_positive_down) {
     data.vertices.push_back(p.place);
   }
   if (data.vertices.size() < points.size()) {
-    data.notes.push_back(fmt::format(
-        "{} of {} points were left out: withheld, noise{}", points.size() - data.vertices.size(),
-        points.size(), only_bathymetric ? ", or not of the bathymetric class" : ""));
+    data.notes.push_back(fmt::format("{} of {} points were left out: withheld, noise{}",
+                                     points.size() - data.vertices.size(), points.size(),
+                                     only_bathymetric ? ", or not of the bathymetric class" : ""));
   }
   keep_shoalest_places(data, z_positive_down);
   if (data.vertices.size() < 3) {
-    throw InvalidInput(fmt::format("'{}' holds {} points at different places; a surface needs at "
-                                   "least three",
-                                   path.string(), data.vertices.size()));
+    throw InvalidInput(
+        fmt::format("'{}' holds {} points at different places; a surface needs at "
+                    "least three",
+                    path.string(), data.vertices.size()));
   }
   return data;
 }

@@ -11,8 +11,8 @@ namespace swathplan {
 std::unique_ptr<GDALDataset> open_groups(const std::filesystem::path& path) {
   register_gdal();
   const char* const drivers[] = {"HDF5", "BAG", nullptr};
-  return std::unique_ptr<GDALDataset>(GDALDataset::Open(
-      path.c_str(), GDAL_OF_MULTIDIM_RASTER | GDAL_OF_READONLY, drivers));
+  return std::unique_ptr<GDALDataset>(
+      GDALDataset::Open(path.c_str(), GDAL_OF_MULTIDIM_RASTER | GDAL_OF_READONLY, drivers));
 }
 
 std::vector<double> values_of(GDALMDArray& array, const std::string& component,

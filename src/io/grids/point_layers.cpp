@@ -163,9 +163,8 @@ class PointReader {
     layer_.ResetReading();
     for (const OGRFeatureUniquePtr& feature : layer_) {
       if (!is_point(*feature)) continue;
-      for_each_point(*feature, [&](const OGRPoint& p) {
-        found = found || (p.Is3D() && p.getZ() != 0.0);
-      });
+      for_each_point(*feature,
+                     [&](const OGRPoint& p) { found = found || (p.Is3D() && p.getZ() != 0.0); });
       if (found) break;
     }
     layer_.ResetReading();
@@ -193,8 +192,8 @@ class PointReader {
                                        quotable(column_->name), column_->is_depth ? "down" : "up"));
       if (column_->unit_m != 1.0) data.z_unit_m = column_->unit_m;
     } else if (column_) {
-      data.notes.push_back(fmt::format(
-          "depths are the z of the points, not the column '{}'", quotable(column_->name)));
+      data.notes.push_back(fmt::format("depths are the z of the points, not the column '{}'",
+                                       quotable(column_->name)));
     }
     if (skipped_ > 0) {
       data.warnings.push_back(
@@ -225,9 +224,9 @@ std::string crs_of_layer(OGRLayer& layer) {
 }  // namespace
 
 bool is_point_file(const fs::path& path) {
-  constexpr std::array kVector = {".shp",  ".gpkg", ".geojson", ".json", ".geojsonl",
-                                  ".fgb",  ".gml",  ".kml",     ".kmz",  ".tab",
-                                  ".mif",  ".000",  ".sqlite",  ".gpx",  ".dxf"};
+  constexpr std::array kVector = {".shp", ".gpkg", ".geojson", ".json", ".geojsonl",
+                                  ".fgb", ".gml",  ".kml",     ".kmz",  ".tab",
+                                  ".mif", ".000",  ".sqlite",  ".gpx",  ".dxf"};
   const std::string extension = lower(path.extension().string());
   if (std::find(kVector.begin(), kVector.end(), extension) == kVector.end()) return false;
   const QuietGdal quiet;
@@ -254,9 +253,10 @@ SurfaceData read_point_file(const fs::path& path, bool z_positive_down,
   }
   keep_shoalest_places(data, z_positive_down || data.z_is_depth);
   if (data.vertices.size() < 3) {
-    throw InvalidInput(fmt::format("'{}' holds {} soundings at different places; a surface needs "
-                                   "at least three",
-                                   path.string(), data.vertices.size()));
+    throw InvalidInput(
+        fmt::format("'{}' holds {} soundings at different places; a surface needs "
+                    "at least three",
+                    path.string(), data.vertices.size()));
   }
   return data;
 }

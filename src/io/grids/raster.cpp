@@ -75,12 +75,12 @@ std::vector<std::uint32_t> add_nodes(const Raster& raster, const Lattice& lattic
 constexpr double kNoHeight = 1e9;
 
 bool is_telltale(double value) {
-  constexpr std::array kTelltales = {999.0,   9999.0,   99999.0,   999999.0,
-                                     32767.0, 32768.0,  1e6,       9999999.0};
+  constexpr std::array kTelltales = {999.0,   9999.0,  99999.0, 999999.0,
+                                     32767.0, 32768.0, 1e6,     9999999.0};
   const double size = std::abs(value);
   return std::isfinite(size) &&
-         (size >= kNoHeight || std::find(kTelltales.begin(), kTelltales.end(), size) !=
-                                   kTelltales.end());
+         (size >= kNoHeight ||
+          std::find(kTelltales.begin(), kTelltales.end(), size) != kTelltales.end());
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ double needed(const std::vector<std::shared_ptr<GDALGroup>>& groups,
               std::initializer_list<const char*> names, const fs::path& path) {
   const std::optional<double> value = number(groups, names);
   if (!value || !std::isfinite(*value)) {
-    throw InvalidInput(fmt::format("'{}' is S-102, but has no number '{}'", path.string(),
-                                   *names.begin()));
+    throw InvalidInput(
+        fmt::format("'{}' is S-102, but has no number '{}'", path.string(), *names.begin()));
   }
   return *value;
 }
@@ -81,8 +81,7 @@ std::shared_ptr<GDALGroup> chosen_instance(const GDALGroup& coverage, const std:
   return coverage.OpenGroup(names[chosen.value_or(0)]);
 }
 
-std::string crs_by_code(const std::vector<std::shared_ptr<GDALGroup>>& groups,
-                        SurfaceData& data) {
+std::string crs_by_code(const std::vector<std::shared_ptr<GDALGroup>>& groups, SurfaceData& data) {
   const std::optional<double> code = number(groups, {"horizontalCRS", "horizontalDatumValue"});
   if (!code || !(*code > 0.0 && *code < 1e6)) return {};
   try {
@@ -110,9 +109,9 @@ SurfaceData read_s100(const fs::path& path, std::optional<double> nodata,
   const std::unique_ptr<GDALDataset> file = open_groups(path);
   const std::shared_ptr<GDALGroup> root = file ? file->GetRootGroup() : nullptr;
   if (!root || !holds_coverage(*root)) {
-    throw InvalidInput(fmt::format(
-        "'{}' holds no bathymetric surface (its product is '{}'); give an S-102 file",
-        path.string(), root ? quotable(product_of(*root)) : ""));
+    throw InvalidInput(
+        fmt::format("'{}' holds no bathymetric surface (its product is '{}'); give an S-102 file",
+                    path.string(), root ? quotable(product_of(*root)) : ""));
   }
   const std::shared_ptr<GDALGroup> coverage = root->OpenGroup(kCoverage);
   const std::shared_ptr<GDALGroup> instance = chosen_instance(*coverage, layer, path);
@@ -128,7 +127,7 @@ SurfaceData read_s100(const fs::path& path, std::optional<double> nodata,
   raster.rows = static_cast<std::size_t>(values->GetDimensions()[0]->GetSize());
   raster.columns = static_cast<std::size_t>(values->GetDimensions()[1]->GetSize());
   raster.transform = {needed(from, {"gridOriginLongitude"}, path) - 0.5 * step_x, step_x, 0.0,
-                      needed(from, {"gridOriginLatitude"}, path) - 0.5 * step_y, 0.0, step_y};
+                      needed(from, {"gridOriginLatitude"}, path) - 0.5 * step_y,  0.0,    step_y};
   raster.nodata = kS102Nodata;
   raster.more_nodata = nodata;
   check_shape(raster, path);

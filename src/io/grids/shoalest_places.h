@@ -4,8 +4,8 @@
 
 namespace swathplan {
 
-/// Points at the same place to the last bit become one, the shoalest; the order stays. Says how many
-/// were left out.
+/// Points at the same place to the last bit become one, the shoalest; the order stays. Says how
+/// many were left out.
 void keep_shoalest_places(SurfaceData& points, bool z_down);
 
 }  // namespace swathplan

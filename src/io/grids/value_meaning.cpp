@@ -52,9 +52,8 @@ std::string code_in_bag(GDALDataset& file) {
   std::string code(trim(std::string_view(xml).substr(at + 1, xml.find('<', at) - at - 1)));
   const std::size_t colon = code.find_last_of(':');
   if (colon != std::string::npos) code.erase(0, colon + 1);
-  const bool number = !code.empty() && std::all_of(code.begin(), code.end(), [](char c) {
-    return c >= '0' && c <= '9';
-  });
+  const bool number = !code.empty() && std::all_of(code.begin(), code.end(),
+                                                   [](char c) { return c >= '0' && c <= '9'; });
   return number ? "EPSG:" + code : std::string();
 }
 

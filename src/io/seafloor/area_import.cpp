@@ -327,6 +327,10 @@ ImportedArea import_area(const fs::path& path, const Frame& frame,
   }
   ImportedArea result;
   result.area = united(shapes.parts);
+  if (result.area.empty() && shapes.simplified > 0) {
+    throw InvalidInput(fmt::format("no part of the polygons of '{}' is wider than {:g} m",
+                                   path.string(), 2.0 * options.tolerance_m));
+  }
   if (result.area.empty()) {
     throw InvalidInput(fmt::format("the polygons of '{}' have no area", path.string()));
   }

@@ -256,7 +256,8 @@ void warn_of_upside_down(double lowest, double highest, ImportedSeafloor& result
   constexpr double kMuchLand = 0.4;
   if (result.land_share < kMuchLand || highest < -lowest) return;
   result.warnings.push_back(fmt::format(
-      "{:.3g} % of the area lies above the water, up to {:.4g} m, and only the rest, down to {:.4g} "
+      "{:.3g} % of the area lies above the water, up to {:.4g} m, and only the rest, down to "
+      "{:.4g} "
       "m, is taken as seafloor: this looks like depths, positive down, with land negative; if so, "
       "add <z positive> down",
       100.0 * result.land_share, highest, -lowest));
@@ -354,7 +355,8 @@ void add_unit_warnings(const SurfaceData& data, const Frame& frame, double unit_
 ImportedSeafloor import_packed(const fs::path& path, const ImportOptions& options) {
   const Unpacked unpacked(path, options.layer);
   if (is_packed(unpacked.file())) {
-    throw InvalidInput(fmt::format("'{}' is packed more than once; unpack it first", path.string()));
+    throw InvalidInput(
+        fmt::format("'{}' is packed more than once; unpack it first", path.string()));
   }
   try {
     ImportedSeafloor result = import_seafloor(unpacked.file(), options);

@@ -12,7 +12,7 @@ void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kAll = 1 << 30;
   constexpr int kStep = 16 << 20;  // bytes by which the heap grows
-  mallopt(M_MMAP_MAX, 0);          // large blocks too come from the heap
+  mallopt(M_MMAP_MAX, 0);          // large blocks come from the heap too
   mallopt(M_TRIM_THRESHOLD, kAll);
   mallopt(M_TOP_PAD, kStep);
 #endif

@@ -2,10 +2,10 @@
 
 namespace swathplan {
 
-/// Tells the allocator to keep freed memory for the next use instead of handing it back to the
-/// system: planners score and mesh over and over, and taking pages anew costs more than filling
-/// them (ten times as long for a skeleton over 100,000 faces on a virtual machine). To be called
-/// once, at the start of a program; does nothing where the C library is not glibc.
+/// Tells the allocator to keep freed memory for later use and not to give it back to the system.
+/// Planners score and mesh over and over. Taking new pages costs them more than filling these: a
+/// skeleton over 100,000 faces took ten times as long on a virtual machine. Call it once, at the
+/// start of a program. It does nothing where the C library is not glibc.
 void keep_freed_memory();
 
 }  // namespace swathplan

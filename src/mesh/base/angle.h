@@ -5,8 +5,8 @@
 
 namespace swathplan {
 
-/// An angle. A type of its own, so that a degree never meets a radian: degrees at the command line
-/// and in files, radians inside.
+/// An angle. It has a type of its own, so that nobody takes degrees for radians. The command line
+/// and the files use degrees; the program computes in radians. Not reduced to one turn.
 class Angle {
  public:
   constexpr Angle() = default;

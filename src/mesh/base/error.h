@@ -3,13 +3,13 @@
 #include <stdexcept>
 #include <string>
 
-// The program's options are known here as fields: 'resolution', 'CRS', 'water level'. Where a
-// sentence tells what to set, the field stands between angle brackets, as in "set the <z unit>";
-// the program writes its own word for it there.
+// The library knows the program's options by the names of their fields: 'resolution', 'CRS', 'water
+// level'. Where a message tells what to set, the field stands between angle brackets, as in "set
+// the <z unit>". The program replaces it by its own word for the option.
 namespace swathplan {
 
-/// Data that cannot be used as given (exit code 1). The message is one clear sentence that names
-/// the file or field, the line or element, what is wrong and what to do.
+/// The data cannot be used as they are (exit code 1). The message is one sentence. It names the
+/// file or field and the line or element, and says what is wrong and what to do.
 class InvalidInput : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

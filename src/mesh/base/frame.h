@@ -9,9 +9,10 @@ namespace swathplan {
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 
-/// The local frame: east, north, up in metres; still water level z = 0, seafloor z < 0;
-/// depth = -z, positive down; azimuth clockwise from north. The origin is kept in double precision
-/// in the horizontal coordinates of the input file, so that UTM-sized coordinates lose nothing.
+/// The local frame: x east, y north, z up, in metres. The still water level is z = 0, the seafloor
+/// has z < 0, depth is -z. An azimuth runs clockwise from north. The origin is given in the
+/// horizontal coordinates of the input file. Local coordinates stay small, so that large ones, as
+/// of UTM, lose no digits.
 struct Frame {
   Vec2 origin = Vec2::Zero();    ///< the local origin in file coordinates (easting, northing)
   double metres_per_unit = 1.0;  ///< metres in one horizontal unit of the file (0.3048 for feet)

@@ -13,9 +13,10 @@
 
 namespace swathplan {
 
-/// Calls `body(i)` once for each i of [begin, end), on all threads that the caller's arena has, in
-/// no fixed order. An empty range calls nothing. Results stay the same for any number of threads as
-/// long as each call writes to a place of its own. An exception of a call is thrown again here.
+/// Calls `body(i)` once for each i in [begin, end), in no fixed order, on all threads of the
+/// caller's arena. An empty range calls nothing. The result is the same for any number of threads
+/// as long as each call writes to a place of its own. If a call throws, its exception is thrown
+/// again here.
 template <class Index, class Body>
 void for_each_index(Index begin, Index end, const Body& body) {
 #ifdef __SANITIZE_THREAD__

@@ -6,7 +6,7 @@
 
 #include "mesh/base/error.h"
 
-// How rules of options are checked: the message names option, value and rule.
+// Checks the rules of options. The message names the option, its value and the rule.
 namespace swathplan {
 
 /// @throws UsageError 'name value; must be rule' unless it holds.

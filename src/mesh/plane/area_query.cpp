@@ -18,8 +18,8 @@ struct AreaQuery::Impl {
   double cell = 1.0;
   std::int64_t columns = 0, rows = 0;
   std::vector<std::uint32_t> start, items;  // edges per bucket
-  // Edges per strip, for the crossing count: strips are lower than buckets, so that few edges that
-  // lie beside a point's height are looked at.
+  // Edges per strip, to count the crossings of a ray from a point. Strips are lower than buckets,
+  // so that few edges are looked at that the ray does not meet.
   static constexpr std::int64_t kStripsPerRow = 16;
   std::vector<std::uint32_t> strip_start, strip_items;
 
@@ -128,7 +128,8 @@ std::pair<double, Vec2> AreaQuery::Impl::nearest(const Vec2& p, double within) c
       }
     }
   };
-  // A query outside the extent is clamped to it; rings of buckets are then that much farther off.
+  // A point outside the extent is looked up at the nearest point inside. It is farther off from
+  // each ring of buckets by that gap.
   const Vec2 clamped(std::clamp(p.x(), box.min.x(), box.max.x()),
                      std::clamp(p.y(), box.min.y(), box.max.y()));
   const double gap = (clamped - p).norm();
@@ -172,8 +173,9 @@ std::vector<std::pair<double, double>> AreaQuery::clip(const Vec2& a, const Vec2
   if (d.edges.empty()) return result;
   const Vec2 way = b - a;
   std::vector<double> cuts{0.0, 1.0};
-  // Buckets that the segment passes: row by row, the columns between where it enters and leaves
-  // the row, one more on either side against rounding. An edge met twice only cuts twice.
+  // The buckets that the segment passes, row by row: the columns between the places where it enters
+  // and leaves the row, and one more on either side against rounding. An edge that is met twice
+  // cuts at the same place twice, which does no harm.
   const std::int64_t r0 = d.row(std::min(a.y(), b.y()));
   const std::int64_t r1 = d.row(std::max(a.y(), b.y()));
   for (std::int64_t r = r0; r <= r1; ++r) {
@@ -183,7 +185,7 @@ std::vector<std::pair<double, double>> AreaQuery::clip(const Vec2& a, const Vec2
       const double y0 = d.box.min.y() + static_cast<double>(r) * d.cell;
       const double t0 = std::clamp((y0 - a.y()) / way.y(), 0.0, 1.0);
       const double t1 = std::clamp((y0 + d.cell - a.y()) / way.y(), 0.0, 1.0);
-      // Rows at the rim also stand for everything beyond the extent.
+      // The rows at the rim also hold what lies beyond the extent.
       if (r != 0 && r != d.rows - 1) {
         x0 = a.x() + way.x() * (way.x() > 0.0 ? std::min(t0, t1) : std::max(t0, t1));
         x1 = a.x() + way.x() * (way.x() > 0.0 ? std::max(t0, t1) : std::min(t0, t1));

@@ -4,7 +4,8 @@
 
 namespace swathplan {
 
-/// Axis-aligned extent in the horizontal plane, metres.
+/// A box in the horizontal plane, with sides along the axes, metres. Empty until a point is added;
+/// the size of an empty box has no meaning.
 struct Box2 {
   Vec2 min = Vec2::Constant(1e300);
   Vec2 max = Vec2::Constant(-1e300);

@@ -60,7 +60,7 @@ class Meetings {
     return properly(i, j) || near(i, j) || near(i + 1, j) || near(j, i) || near(j + 1, i);
   }
 
-  /// Neighbours always share a point; they run along each other where the path turns back.
+  /// Neighbours always share a point. They run along each other only where the path turns back.
   [[nodiscard]] bool turns_back(std::size_t i) const { return near(i, i + 1) || near(i + 2, i); }
 
   [[nodiscard]] bool properly(std::size_t i, std::size_t j) const {
@@ -76,7 +76,8 @@ class Meetings {
     return static_cast<std::uint32_t>(at - pairs_.begin());
   }
 
-  /// Pairs that hang together: the point between two segments is near the third.
+  /// Groups of pairs that belong to one place: (i, j) and (i + 1, j) do if the point between the
+  /// segments i and i + 1 is near j.
   [[nodiscard]] std::vector<std::vector<Pair>> places() const {
     UnionFind sets(pairs_.size());
     const auto n = static_cast<std::uint32_t>(pairs_.size());
@@ -94,8 +95,8 @@ class Meetings {
     return result;
   }
 
-  /// Where the segment of the earlier pass comes near the later pass: seen from its point `from`,
-  /// which is away from it. Empty if that point is near: the path begins, ends or turns there.
+  /// The point of the segment from-to, seen from `from`, just before it comes near the partners.
+  /// Empty if `from` itself is near them: the path begins, ends or turns back there.
   [[nodiscard]] std::optional<Vec2> entry(std::size_t from, std::size_t to,
                                           const std::vector<std::size_t>& partners) const {
     const Vec2 &a = p_[from], &b = p_[to];
@@ -201,7 +202,7 @@ class Meetings {
 }  // namespace
 
 PathMeetings path_meetings(const std::vector<Vec2>& path) {
-  // Points nearer than what counts as together would all be near each other.
+  // Points so close to each other that all would count as together would hide what is a crossing.
   std::vector<Vec2> points;
   for (const Vec2& p : path) {
     if (points.empty() || (p - points.back()).norm() > 2.0 * kTogetherM) points.push_back(p);

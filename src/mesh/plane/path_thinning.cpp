@@ -5,7 +5,8 @@
 namespace swathplan {
 namespace {
 
-/// Douglas-Peucker is quadratic on lines that coil, so long stretches are taken in pieces.
+/// Douglas-Peucker takes quadratic time on lines that coil, so long stretches are cut into pieces
+/// of this many points.
 constexpr std::size_t kPiece = 2000;
 
 /// From differences to `a` alone, which keep small distances exact far from the origin; that is why
@@ -31,7 +32,8 @@ Farthest farthest_between(const std::vector<Vec2>& path, std::size_t first, std:
   return result;
 }
 
-/// Marks what a stretch needs between its ends; returns the largest distance that is left.
+/// Marks the points that a stretch needs between its ends. Returns the largest distance that is
+/// left.
 double thin_stretch(const std::vector<Vec2>& path, std::size_t first, std::size_t last,
                     double tolerance_m, const StraightRule& rule, std::vector<bool>& needed) {
   double largest = 0.0;

@@ -49,8 +49,8 @@ Paths to_paths(const Area& area) {
   return paths;
 }
 
-/// Clipper's tree of outer rings and holes -> polygons, largest first so that the order does not
-/// depend on how Clipper swept.
+/// Polygons from Clipper's tree of outer rings and holes. The largest comes first, so that the
+/// order does not depend on how Clipper swept.
 Area to_area(const ClipperLib::PolyTree& tree) {
   Area area;
   std::function<void(const ClipperLib::PolyNode&)> visit = [&](const ClipperLib::PolyNode& node) {

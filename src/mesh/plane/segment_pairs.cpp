@@ -19,7 +19,7 @@ struct Box {
 
 std::int64_t index(double x) { return static_cast<std::int64_t>(std::floor(x)); }
 
-// Buckets that a segment meets, `hair` buckets more.
+// Adds the buckets that a segment meets or passes within `hair` bucket widths.
 void fill_buckets(const Vec2& a, const Vec2& b, double hair, std::uint32_t segment,
                   std::vector<Item>& items) {
   const Vec2& low = a.y() <= b.y() ? a : b;
@@ -55,9 +55,9 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> segment_pairs(const std::ve
   double length = 0.0;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) length += (path[i + 1] - path[i]).norm();
   if (length == 0.0) return found;
-  // Buckets of the mean segment's length: a few entries a segment, long ones included.
+  // Buckets as wide as the mean segment is long: the path then has a few entries for each segment.
   const double cell = length / static_cast<double>(path.size() - 1);
-  constexpr double kHair = 1e-6;  // against rounding
+  constexpr double kHair = 1e-6;  // bucket widths, against rounding
   std::vector<Item> items;
   std::vector<Box> boxes;
   for (std::uint32_t i = 0; i + 1 < path.size(); ++i) {

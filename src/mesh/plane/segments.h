@@ -13,8 +13,8 @@ namespace swathplan {
 }
 
 /// The change from the course `in` to the course `out`, radians in [-pi, pi], positive to port. The
-/// vectors may have any length. 0 where one of them is zero; +pi or -pi where `out` runs straight
-/// back, by the sign of the zero.
+/// vectors may have any length. +pi or -pi where `out` runs straight back. Without meaning (0, pi
+/// or -pi) where one of them is zero.
 [[nodiscard]] inline double turn_angle(const Vec2& in, const Vec2& out) {
   return std::atan2(cross(in, out), in.dot(out));
 }

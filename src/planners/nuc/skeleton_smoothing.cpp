@@ -7,15 +7,10 @@
 #include <unordered_map>
 
 #include "mesh/plane/area_query.h"
+#include "mesh/plane/segments.h"
 
 namespace swathplan {
 namespace {
-
-double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 u = b - a;
-  const double t = std::clamp((p - a).dot(u) / std::max(u.squaredNorm(), 1e-12), 0.0, 1.0);
-  return (p - (a + t * u)).norm();
-}
 
 /// Distances from short segments to the blocked segments and to the water's edge.
 class Clearance {
@@ -42,7 +37,7 @@ class Clearance {
       const auto near = cells_.find(key(index(p.x()), index(p.y())));
       if (near == cells_.end()) continue;
       for (const std::size_t i : near->second) {
-        least = std::min(least, distance(p, blocked_[i].first, blocked_[i].second));
+        least = std::min(least, distance_to_segment(blocked_[i].first, blocked_[i].second, p));
       }
     }
     return std::max(0.0, least - 0.25 * (b - a).norm());

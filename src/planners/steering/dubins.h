@@ -33,9 +33,13 @@ class DubinsPath {
   std::array<double, 3> piece_;
 };
 
-/// Every Dubins path (CSC and CCC words) between two poses with turns of `radius_m` > 0, shortest
-/// first. The first one is the shortest forward path in open water whose turns are no tighter.
-/// Never empty. Two equal poses give a path of length 0. Method: [shkel-dubins].
+/// Dubins paths between two poses with turns of `radius_m` > 0, shortest first: one for each word
+/// that joins them, so six at most. Words are two turns with a straight between (CSC) or three
+/// turns (CCC). Of the two paths of a CCC word only the one whose middle turn is longer than half a
+/// circle is given, since the other is never the shortest. The first path is the shortest forward
+/// path in open water whose turns are no tighter, but for rounding: turning circles that overlap or
+/// lie apart by a ten-millionth of the radius count as touching or as one. Never empty. Two equal
+/// poses give a path of length 0. Method: [shkel-dubins].
 [[nodiscard]] std::vector<DubinsPath> dubins_paths(const Pose& from, const Pose& to,
                                                    double radius_m);
 

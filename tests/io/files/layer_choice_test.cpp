@@ -17,7 +17,9 @@ TEST(LayerChoice, TakesTheFirstNameThatTheFileHolds) {
 }
 
 TEST(LayerChoice, RefusalListsThem) {
-  EXPECT_THAT(refusal([]() -> int { refuse_layers("x.gpkg", {"a", "b"}); }),
+  EXPECT_THAT(refusal([]() -> int {
+                refuse_layers("x.gpkg", {"a", "b"});
+              }),
               HasSubstr("'x.gpkg' holds 2 layers (a, b); choose one with <layer>"));
 }
 

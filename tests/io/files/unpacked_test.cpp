@@ -20,7 +20,8 @@ void put(const std::string& target, const std::string& text) {
   EXPECT_EQ(VSIFCloseL(file), 0);
 }
 
-std::filesystem::path zip(const std::filesystem::path& path, const std::vector<std::string>& names) {
+std::filesystem::path zip(const std::filesystem::path& path,
+                          const std::vector<std::string>& names) {
   const std::string whole = "/vsizip/" + path.string();
   VSILFILE* archive = VSIFOpenL(whole.c_str(), "wb");
   for (const std::string& name : names) put(whole + "/" + name, "1 2 3 " + name);
@@ -63,10 +64,9 @@ TEST_F(UnpackedFiles, CutOffFilesAreRefused) {
   std::filesystem::resize_file(path("a.xyz.gz"), 2000);
   EXPECT_THAT(refusal([&] { return Unpacked(path("a.xyz.gz"), "").file(); }),
               HasSubstr("cannot be unpacked"));
-  EXPECT_THAT(refusal([&] {
-                return Unpacked(write("b.zip", "PK\x03\x04" + garbage(100)), "").file();
-              }),
-              HasSubstr("b.zip"));
+  EXPECT_THAT(
+      refusal([&] { return Unpacked(write("b.zip", "PK\x03\x04" + garbage(100)), "").file(); }),
+      HasSubstr("b.zip"));
   EXPECT_FALSE(is_packed(write("c.gz", "no gzip")));
 }
 

@@ -13,7 +13,8 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-/// Two by two cells of 8 m, each refined to `steps[i]` metres: 20 m deep, the first node of each 3 m.
+/// Two by two cells of 8 m, each refined to `steps[i]` metres: 20 m deep, the first node of each 3
+/// m.
 Refinements refined(const std::vector<double>& steps) {
   Refinements all;
   all.overview.nodata = 1e6;

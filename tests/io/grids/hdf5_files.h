@@ -63,8 +63,7 @@ class Hdf5Writer {
   static std::shared_ptr<GDALMDArray> records(const Group& in, const std::string& name,
                                               const std::vector<std::size_t>& size,
                                               const std::vector<std::string>& fields,
-                                              std::size_t whole,
-                                              const std::vector<float>& values) {
+                                              std::size_t whole, const std::vector<float>& values) {
     std::vector<std::unique_ptr<GDALEDTComponent>> parts;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       parts.push_back(std::make_unique<GDALEDTComponent>(

@@ -56,7 +56,8 @@ std::string las(const std::vector<Point>& points, std::uint8_t format = 0) {
   return bytes;
 }
 
-const std::vector<Point> kFour = {{0, 0, -800}, {1000, 0, -900}, {0, 1000, -1000}, {1000, 1000, -1}};
+const std::vector<Point> kFour = {
+    {0, 0, -800}, {1000, 0, -900}, {0, 1000, -1000}, {1000, 1000, -1}};
 
 TEST_F(LasImport, ReadsPlacesAndCrs) {
   const auto file = write("a.las", las(kFour));
@@ -80,9 +81,8 @@ TEST_F(LasImport, NamesCompressedAndCutOffFiles) {
   EXPECT_THAT(refusal([&] { return read_las(write("a.laz", las(kFour, 128)), false); }),
               HasSubstr("compressed points (LAZ)"));
   for (const std::size_t length : {4UL, 10UL, 120UL, 230UL, bytes.size() - 1}) {
-    EXPECT_THAT(
-        refusal([&] { return read_las(write("b.las", bytes.substr(0, length)), false); }),
-        HasSubstr("cut off"))
+    EXPECT_THAT(refusal([&] { return read_las(write("b.las", bytes.substr(0, length)), false); }),
+                HasSubstr("cut off"))
         << length;
   }
 }

@@ -37,11 +37,11 @@ TEST_F(PointLayers, ZOfThePointsIsAHeight) {
 }
 
 TEST_F(PointLayers, ADepthColumnIsPositiveDownInItsUnit) {
-  const auto file = write(
-      "a.geojson", collection({point("15,36", R"({"id":1,"Depth_ft":"8"})"),
-                               point("15.1,36", R"({"id":2,"Depth_ft":"9"})"),
-                               point("15,36.1", R"({"id":3,"Depth_ft":"10"})"),
-                               point("15.1,36.1", R"({"id":4,"Depth_ft":null})")}));
+  const auto file =
+      write("a.geojson", collection({point("15,36", R"({"id":1,"Depth_ft":"8"})"),
+                                     point("15.1,36", R"({"id":2,"Depth_ft":"9"})"),
+                                     point("15,36.1", R"({"id":3,"Depth_ft":"10"})"),
+                                     point("15.1,36.1", R"({"id":4,"Depth_ft":null})")}));
   const SurfaceData data = read_point_file(file, false);
   EXPECT_EQ(data.vertices.size(), 3U);
   EXPECT_TRUE(data.z_is_depth);
@@ -55,8 +55,8 @@ TEST_F(PointLayers, WithoutDepthsOrPointsAreRefused) {
   };
   EXPECT_THAT(says(collection({point("15,36", R"({"name":"a"})"), point("15.1,36")})),
               HasSubstr("no z"));
-  EXPECT_THAT(says(collection({feature(
-                  R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]})")})),
+  EXPECT_THAT(says(collection(
+                  {feature(R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]})")})),
               HasSubstr("holds no points"));
 }
 

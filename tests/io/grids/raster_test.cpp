@@ -25,9 +25,8 @@ std::pair<std::size_t, std::vector<std::string>> left(const std::vector<double>&
   Raster r = raster(values);
   std::vector<std::string> warnings;
   drop_undeclared_nodata(r, warnings);
-  const auto count = std::count_if(r.raw.begin(), r.raw.end(), [&](double v) {
-    return !r.is_nodata(v);
-  });
+  const auto count =
+      std::count_if(r.raw.begin(), r.raw.end(), [&](double v) { return !r.is_nodata(v); });
   return {static_cast<std::size_t>(count), warnings};
 }
 

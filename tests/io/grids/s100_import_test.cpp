@@ -28,8 +28,7 @@ void write_s102(const std::filesystem::path& path, const std::vector<std::string
     Hdf5Writer::attribute(instance, "gridSpacingLongitudinal", 10.0);
     Hdf5Writer::attribute(instance, "gridSpacingLatitudinal", 10.0);
     (void)Hdf5Writer::records(Hdf5Writer::group(instance, "Group_001"), "values", {2, 3},
-                              {"depth", "uncertainty"}, 0,
-                              {1, 0, 2, 0, 3, 0, 4, 0, 5, 0, 1e6F, 0});
+                              {"depth", "uncertainty"}, 0, {1, 0, 2, 0, 3, 0, 4, 0, 5, 0, 1e6F, 0});
   }
 }
 
@@ -55,13 +54,10 @@ TEST_F(S100Import, AsksWhichOfSeveralCoverages) {
 
 TEST_F(S100Import, NamesAnotherProduct) {
   write_s102(path("a.h5"), {}, "INT.IHO.S-111.1.0");
-  EXPECT_THAT(refusal([&] { return read_grid(path("a.h5")); }),
-              HasSubstr("INT.IHO.S-111.1.0"));
+  EXPECT_THAT(refusal([&] { return read_grid(path("a.h5")); }), HasSubstr("INT.IHO.S-111.1.0"));
 }
 
-TEST_F(S100Import, OtherFilesAreNone) {
-  EXPECT_FALSE(is_s100(write("a.h5", "not HDF5")));
-}
+TEST_F(S100Import, OtherFilesAreNone) { EXPECT_FALSE(is_s100(write("a.h5", "not HDF5"))); }
 
 }  // namespace
 }  // namespace swathplan

@@ -74,8 +74,8 @@ TEST_F(ValueMeaning, VerticalSystemMayBePositiveDown) {
 }
 
 TEST_F(ValueMeaning, HeightsUnderASystemOfDepthsStayHeights) {
-  const SurfaceData data = read_grid(
-      tiff(path("a.tif"), {.vertical_epsg = 5866, .values = {-1, -2, -3, -4, -5, 1}}));
+  const SurfaceData data =
+      read_grid(tiff(path("a.tif"), {.vertical_epsg = 5866, .values = {-1, -2, -3, -4, -5, 1}}));
   EXPECT_FALSE(data.z_is_depth);
   EXPECT_THAT(data.warnings, Contains(HasSubstr("taken as heights")));
 }

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <ogrsf_frmts.h>
 
+#include <cmath>
+
 #include "io/files/crs.h"
 #include "io/import_files.h"
 
@@ -164,6 +166,27 @@ TEST_F(AreaImport, CountsShapesOffTheData) {
       import_area(write("m.geojson", mixed_features()), Frame{},
                   {.data_extent = Box2{Vec2(0, 0), Vec2(210, 50)}, .buffer_m = 1.0});
   EXPECT_THAT(read.notes.back(), HasSubstr("1 of 3 shapes lie off the seafloor's data"));
+}
+
+TEST_F(AreaImport, SimplifiesOutlinesOfVeryManyCornersOnTheSafeSide) {
+  constexpr int kCorners = 5000;
+  std::string corners;
+  for (int k = 0; k <= kCorners; ++k) {
+    const double a = 2.0 * 3.14159265358979 * (k % kCorners) / kCorners;
+    const double r = 50.0 + 0.02 * std::sin(900.0 * a);
+    corners += fmt::format("{}[{},{}]", k > 0 ? "," : "", r * std::cos(a), r * std::sin(a));
+  }
+  const auto file =
+      write("s.geojson", geojson(R"({"type":"Polygon","coordinates":[[)" + corners + "]]}"));
+  const Area exact = import_area(file, Frame{}).area;
+  const ImportedArea within = import_area(file, Frame{}, {.tolerance_m = 0.1});
+  const ImportedArea around =
+      import_area(file, Frame{}, {.tolerance_m = 0.1, .rounding = Rounding::around});
+  EXPECT_LT(area_m2(subtract(within.area, exact)), 1e-6);
+  EXPECT_LT(area_m2(subtract(exact, around.area)), 1e-6);
+  EXPECT_LT(around.area.front().outer.size(), 500U);
+  ASSERT_EQ(around.notes.size(), 1U);
+  EXPECT_THAT(around.notes[0], HasSubstr("within 0.1 m; the area used contains the file's"));
 }
 
 TEST_F(AreaImport, RefusesDegreesOnASeafloorWithoutACrs) {

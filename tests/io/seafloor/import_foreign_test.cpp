@@ -17,7 +17,7 @@ using ForeignFiles = ImportFiles;
 
 constexpr std::string_view kHead = "ncols 3\nnrows 4\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
 
-void put(const std::string& target, const std::string& text) {
+void put_foreign(const std::string& target, const std::string& text) {
   VSILFILE* file = VSIFOpenL(target.c_str(), "wb");
   ASSERT_NE(file, nullptr) << target;
   EXPECT_EQ(VSIFWriteL(text.data(), 1, text.size(), file), text.size());
@@ -25,7 +25,8 @@ void put(const std::string& target, const std::string& text) {
 }
 
 TEST_F(ForeignFiles, DepthsWithNegativeLandAreWarnedAboutBeforeMostIsLand) {
-  const auto file = write("a.asc", std::string(kHead) + "9 9 9\n10 11 9\n8 9 9\n-1.5 -1.5 -1.5\n");
+  const auto file =
+      write("a.asc", std::string(kHead) + "9 9 9\n10 11 9\n-1.5 -1.5 -1.5\n-1.5 -1.5 -1.5\n");
   const ImportedSeafloor up = import_seafloor(file);
   EXPECT_LT(up.land_share, 0.9);
   EXPECT_THAT(warnings_of(up), Contains(AllOf(HasSubstr("looks like depths, positive down"),
@@ -54,15 +55,15 @@ TEST_F(ForeignFiles, UnitOfAVectorColumnIsUsedUnlessAnotherIsGiven) {
 TEST_F(ForeignFiles, PackedFilesAreReadAsTheyAre) {
   const std::string grid = std::string(kHead) + "-9 -9 -9\n-10 -11 -9\n-8 -9 -9\n-7 -7 -7\n";
   const ImportedSeafloor plain = import_seafloor(write("a.asc", grid));
-  put("/vsigzip/" + path("a.asc.gz").string(), grid);
+  put_foreign("/vsigzip/" + path("a.asc.gz").string(), grid);
   const ImportedSeafloor packed = import_seafloor(path("a.asc.gz"));
   EXPECT_EQ(packed.kind, "grid");
   EXPECT_EQ(packed.file, path("a.asc.gz").string());
   EXPECT_EQ(packed.seafloor.vertices, plain.seafloor.vertices);
   EXPECT_NE(packed.input_hash, plain.input_hash);
-  put("/vsigzip/" + path("b.xyz.gz").string(), "0 0 -8\n10 0 -9\n0 10 -8\n10 10 -9\n");
+  put_foreign("/vsigzip/" + path("b.xyz.gz").string(), "0 0 -8\n10 0 -9\n0 10 -8\n10 10 -9\n");
   EXPECT_EQ(import_seafloor(path("b.xyz.gz")).kind, "soundings");
-  put("/vsigzip/" + path("c.xyz.gz").string(), "0 0 -8\nhello\n");
+  put_foreign("/vsigzip/" + path("c.xyz.gz").string(), "0 0 -8\nhello\n");
   EXPECT_THAT(refusal([&] { return import_seafloor(path("c.xyz.gz")); }),
               HasSubstr(path("c.xyz.gz").string() + "/c.xyz"));
 }

@@ -34,6 +34,46 @@ TEST(Polygons, HolesKeepTheirIslands) {
   EXPECT_TRUE(contains(nested, {2, 5})) << "on the outline";
 }
 
+/// Squares of 2 m, 5 m apart, with holes of 1 m in them.
+Area many_squares(int rows) {
+  Area area;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      const Ring hole = box(5 * i + 0.5, 5 * j + 0.5, 5 * i + 1.5, 5 * j + 1.5);
+      area.push_back({box(5 * i, 5 * j, 5 * i + 2, 5 * j + 2), {Ring(hole.rbegin(), hole.rend())}});
+    }
+  }
+  return area;
+}
+
+TEST(Polygons, OffsetOfVeryManyRingsIsThatOfEach) {
+  const int rows = 25;  // 1250 rings
+  const Area squares = many_squares(rows);
+  const Area one{squares.front()};
+  for (const double distance : {0.3, 0.6, -0.2}) {
+    EXPECT_NEAR(area_m2(offset(squares, distance)), rows * rows * area_m2(offset(one, distance)),
+                0.01)
+        << distance;
+  }
+  // Squares that grow together: nothing is left between them.
+  EXPECT_EQ(offset(squares, 2.2).size(), 1U);
+  EXPECT_TRUE(offset(squares, 2.2).front().holes.empty());
+  EXPECT_TRUE(offset(squares, -0.3).empty());
+}
+
+TEST(Polygons, WaterShrinksOffVeryManyIslands) {
+  const int rows = 40;
+  const Area water = subtract(box_area(-5, -5, 5 * rows, 5 * rows), many_squares(rows));
+  const Area shrunk = offset(water, -0.4);
+  for (const Polygon& polygon : shrunk) {
+    for (const Ring& hole : polygon.holes) {
+      EXPECT_GE(distance_to_outline(water, hole.front()), 0.4 - 0.021);
+    }
+  }
+  EXPECT_LT(area_m2(subtract(shrunk, water)), 1e-6);
+  EXPECT_EQ(shrunk.size(), 1U) << "ponds of 1 m in the squares are used up";
+}
+
 TEST(Polygons, OffsetOfASquareHasRoundCorners) {
   const Area grown = offset(box_area(0, 0, 10, 10), 2.0);
   EXPECT_NEAR(area_m2(grown), 100 + 4 * 20 + M_PI * 4, 0.2);

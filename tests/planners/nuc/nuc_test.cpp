@@ -9,6 +9,7 @@
 #include "mesh/planar/gates.h"
 #include "mesh/planar/quad_mesh.h"
 #include "mesh/plane/path_crossings.h"
+#include "mesh/plane/segments.h"
 #include "mesh/shapes.h"
 #include "mesh/survey_area.h"
 #include "mesh/synthetic.h"
@@ -25,8 +26,6 @@ std::vector<Vec2> closed(const SkeletonCycle& cycle) {
   path.push_back(cycle.front().position);
   return path;
 }
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// How often the path crosses the segment a-b, counted at its inside.
 int crossings(const std::vector<Vec2>& path, const Vec2& a, const Vec2& b) {

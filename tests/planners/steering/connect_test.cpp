@@ -56,6 +56,22 @@ TEST(Connect, GoesAroundAMoleNeverAcross) {
   EXPECT_GT(highest, 80.0);
 }
 
+// The boat is as near to the next line as the wall is thin, and the way around takes 300 m. An
+// estimate of some metres would fill the whole basin with poses.
+TEST(Connect, GoesAroundAThinWall) {
+  const Area water = subtract(basin(300, 200), {{box(149.85, -1, 150.15, 150), {}}});
+  const Connector connector(water, {.radius_m = 1.5});
+  const auto way = connector.join({{20, 20}, {149, 20}}, {{151, 20}, {280, 20}});
+  ASSERT_TRUE(is_steerable(connector, way, 1.5));
+  EXPECT_EQ(way.kind, JoinKind::way);
+  const double highest =
+      std::max_element(way.points.begin(), way.points.end(), [](const Vec2& a, const Vec2& b) {
+        return a.y() < b.y();
+      })->y();
+  EXPECT_GT(highest, 150.0);
+  EXPECT_LT(highest, 160.0);
+}
+
 // The line beyond a mole is near, but the way to it is long: an estimate across the mole leads a
 // search astray in the whole basin.
 TEST(Connect, FindsTheLongWayAroundAMoleFromCornersOfItsWalls) {
