@@ -39,7 +39,6 @@ double plan_area_m2(const Seafloor& s) {
   return 0.5 * twice;
 }
 
-
 DepthRange depth_range(const Seafloor& seafloor) {
   DepthRange range{std::numeric_limits<double>::infinity(), 0.0,
                    -std::numeric_limits<double>::infinity()};

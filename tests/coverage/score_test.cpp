@@ -9,9 +9,9 @@
 namespace swathplan {
 namespace {
 
-using testing::TestGround;
 using testing::rectangle;
 using testing::route_through;
+using testing::TestGround;
 
 Vehicle at_the_surface() {
   Vehicle vehicle;

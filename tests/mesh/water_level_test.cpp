@@ -84,8 +84,9 @@ TEST(WaterLevel, PartsBelowAndAboveMakeTheWhole) {
   const Seafloor s = sheet([&](double, double) { return height(random); });
   Seafloor upside_down = s;
   for (Vec3& v : upside_down.vertices) v.z() = -v.z();
-  EXPECT_NEAR(area_seen_from_above(below_level(s, 0.0)) + area_seen_from_above(below_level(upside_down, 0.0)), 400.0,
-              1e-9);
+  EXPECT_NEAR(area_seen_from_above(below_level(s, 0.0)) +
+                  area_seen_from_above(below_level(upside_down, 0.0)),
+              400.0, 1e-9);
 }
 
 TEST(WaterLevel, NoCrackOpensWhereFacesWereCut) {

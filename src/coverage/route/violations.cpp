@@ -12,7 +12,6 @@
 namespace swathplan {
 namespace {
 
-
 double length_of(const Route& route, std::size_t first, std::size_t last) {
   double sum = 0.0;
   for (std::size_t i = first; i < last; ++i) {

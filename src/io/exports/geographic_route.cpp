@@ -30,8 +30,7 @@ std::vector<double> bends(const std::vector<Vec2>& local, const std::vector<Vec2
     const Vec2 along = local[i + 1] - local[i];
     const Vec2 off = middles[i] - local[i];
     const double length = along.norm();
-    result.push_back(length > 0.0 ? std::abs(cross(along, off)) / length
-                                  : off.norm());
+    result.push_back(length > 0.0 ? std::abs(cross(along, off)) / length : off.norm());
   }
   return result;
 }

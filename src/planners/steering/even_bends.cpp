@@ -73,8 +73,7 @@ class BendWidener {
   [[nodiscard]] Bend bend(std::size_t k) const {
     const Vec2 in = places_[k].position - places_[k - 1].position;
     const Vec2 out = places_[k + 1].position - places_[k].position;
-    return {in.norm(), out.norm(),
-            std::abs(turn_angle(in, out))};
+    return {in.norm(), out.norm(), std::abs(turn_angle(in, out))};
   }
   [[nodiscard]] bool marked(std::size_t k) const {
     return !route_.waypoints[places_[k].last].feasible ||

@@ -98,8 +98,8 @@ TEST(RouteFigures, AStraightRouteHasNoTurnAndNoRadius) {
 TEST(RouteFigures, ACornerBetweenLongSegmentsTakesTheArcThatFits) {
   const RouteFigures f = figures(route_through({{10, 10}, {30, 10}, {30, 90}}, kLegFan));
   EXPECT_NEAR(f.min_turn_radius_m, 10.0, 1e-9);
-  EXPECT_NEAR(figures(route_through({{10, 10}, {50, 10}, {20, 10}}, kLegFan)).min_turn_radius_m, 0.0,
-              1e-9);
+  EXPECT_NEAR(figures(route_through({{10, 10}, {50, 10}, {20, 10}}, kLegFan)).min_turn_radius_m,
+              0.0, 1e-9);
 }
 
 TEST(RouteFigures, MetresOutsideTheWaterAreMeasured) {
@@ -149,8 +149,8 @@ TEST(RouteFigures, BendsOfRoundingLeaveARouteStraight) {
 }
 
 TEST(RouteFigures, CrossingsOfTheRouteWithItself) {
-  EXPECT_EQ(figures(route_through({{10, 10}, {30, 30}, {30, 10}, {10, 30}}, kLegFan)).self_crossings,
-            1U);
+  EXPECT_EQ(
+      figures(route_through({{10, 10}, {30, 30}, {30, 10}, {10, 30}}, kLegFan)).self_crossings, 1U);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace swathplan {
 namespace {
 
-using testing::TestGround;
 using testing::route_through;
+using testing::TestGround;
 
 /// One footprint in the plane of its ping, metres.
 struct Piece {
@@ -131,7 +131,7 @@ TEST(Footprint, MatchesALoopOverAllBeamsOnAFlatFloor) {
 
 TEST(Footprint, MatchesALoopOverAllBeamsOnASlope) {
   const TestGround g(tilted(60, 60, 5, Angle::degrees(35)), Nodata::wall,
-                 testing::rectangle(5, 5, 55, 55));
+                     testing::rectangle(5, 5, 55, 55));
   Sonar sonar;
   sonar.beams = 48;
   compare(g, star({30, 30}, 12, 35), sonar, 0.23, 1.3);
@@ -139,7 +139,7 @@ TEST(Footprint, MatchesALoopOverAllBeamsOnASlope) {
 
 TEST(Footprint, MatchesALoopOverAllBeamsOverWallsAndHoles) {
   const TestGround g(testing::rough_floor(40, 0.15, 4, {0, 0}), Nodata::wall,
-                 testing::rectangle(0, 0, 39, 39));
+                     testing::rectangle(0, 0, 39, 39));
   Sonar sonar;
   sonar.beams = 64;
   compare(g, star({20, 20}, 12, 55), sonar, 0.17, 1.1);
