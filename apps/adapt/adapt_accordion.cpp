@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
+#include <utility>
 
 #include "apps/adapt/adapt_live.h"
 #include "apps/adapt/adapt_planners.h"
@@ -57,6 +59,12 @@ OptionTable planner_options(AccordionCommand& c) {
        adapt_output_options(c.output)});
 }
 
+// A study makes its own areas, so it takes no width, length or place.
+OptionTable study_options(AccordionCommand& c) {
+  return joined({only(planner_options(c), {"--spacing", "--nadir-gap", "--clearance", "--rule"}),
+                 adapt_output_options(c.output)});
+}
+
 OptionTable world_options(AccordionCommand& c) {
   return {real("--p-obj", "", c.p_obj, kNoUnit, any_number(),
                "Share of strips with an object, without FILE", "p_obj")};
@@ -91,6 +99,17 @@ Provenance provenance(const AccordionCommand& c, const AccordionOptions& o, cons
   now.clearance_m = o.clearance_m;
   return adapt_provenance("adapt accordion " + mode, joined({planner_options(typed), rows(typed)}),
                           joined({planner_options(now), rows(now)}));
+}
+
+// The box is the survey area, and abstract worlds have no place on a map.
+void refuse_polygons(const SiteOptions& site) {
+  if (!site.area.empty()) {
+    throw UsageError("area", "",
+                     "the box is the survey area: set --corner, --width and --length instead");
+  }
+  if (site.file.empty() && !site.no_go.empty()) {
+    throw UsageError("no go", "", "an abstract world has no such places: give a FILE");
+  }
 }
 
 void simulate_strips(const AccordionCommand& c) {
@@ -169,6 +188,12 @@ void simulate_seafloor(const AccordionCommand& c) {
       fmt::format("the score takes a sonar at the surface with the same swath; the images "
                   "were made {:g} m above the seafloor",
                   c.sonar.altitude_m)};
+  if (const double through_m = mark_no_go(out.route, site->no_go); through_m > 0.0) {
+    out.notes.push_back(
+        fmt::format("{:.0f} m of the route lead through no-go areas and are marked "
+                    "infeasible; the accordion does not go round them",
+                    through_m));
+  }
   TrackPicture picture{out.label, o.width_m, o.length_m, state.sailed, {}, kDots, {}};
   const Vec2 origin = box_point(box, 0, 0);
   for (const DroppedObject& object : objects) {
@@ -183,6 +208,7 @@ void simulate_seafloor(const AccordionCommand& c) {
 }
 
 void simulate(const AccordionCommand& c) {
+  refuse_polygons(c.site);
   const auto limit = thread_limit(c.output);
   c.site.file.empty() ? simulate_strips(c) : simulate_seafloor(c);
 }
@@ -203,36 +229,76 @@ CostMap map_of(const nlohmann::json& side) {
     map.values.insert(map.values.end(), values.begin(), values.end());
     ++map.rows;
   }
+  map.along_m = map.rows * side.value("row_m", 0.0);
   return map;
+}
+
+// Rows from the first ping on, heights from port to starboard; null where nothing was met.
+NadirHeights heights_of(const nlohmann::json& nadir, const SideScanImage& image) {
+  NadirHeights heights{0, 0, image.pixel_m, image.row_m, {}};
+  for (const auto& row : nadir.at("rows")) {
+    if (heights.rows > 0 && static_cast<int>(row.size()) != heights.columns) {
+      throw InvalidInput(fmt::format("nadir row {} has {} heights, the first has {}", heights.rows,
+                                     row.size(), heights.columns));
+    }
+    heights.columns = static_cast<int>(row.size());
+    for (const auto& z : row) {
+      heights.z.push_back(z.is_null() ? std::numeric_limits<float>::quiet_NaN() : z.get<float>());
+    }
+    ++heights.rows;
+  }
+  return heights;
+}
+
+AccordionObservation observed_image(const AccordionCommand& c, const nlohmann::json& message,
+                                    const AccordionOptions& o, bool port_back) {
+  CostMapOptions cost = c.cost;
+  cost.threshold = o.threshold;
+  const SideScanImage image =
+      read_waterfall_png(message["image"].get<std::string>(), c.pixel_m, c.row_m, o.nadir_gap_m);
+  AccordionObservation observation = cost_maps(image, port_back, cost);
+  if (!message.contains("nadir") || o.nadir_gap_m == 0.0) return observation;
+  if (message["nadir"] == "clear") {
+    observation.back.blind_m = observation.ahead.blind_m = 0.0;
+  } else {
+    fill_nadir(observation, heights_of(message["nadir"], image), port_back, cost);
+  }
+  return observation;
 }
 
 void live(const AccordionCommand& c) {
   const AccordionOptions o = accordion_of(c, kWorldThreshold);
   const SurveyBox box = box_of(c.box, o.width_m, o.length_m, {});
   AccordionState state = start_accordion(o);
+  bool images = false;
   LivePlanner planner{"accordion", [&] { return next_track(state); }, {}, {}};
   planner.observe = [&](const SurveyTrack& track, const nlohmann::json& message) {
     const bool port_back = port_looks_back(box, track);
-    AccordionObservation observation;
-    if (message.contains("image")) {
-      CostMapOptions cost = c.cost;
-      cost.threshold = o.threshold;
-      observation = cost_maps(read_waterfall_png(message["image"].get<std::string>(), c.pixel_m,
-                                                 c.row_m, o.nadir_gap_m),
-                              port_back, cost);
-    } else {
-      observation = {map_of(message.at(port_back ? "port" : "starboard")),
-                     map_of(message.at(port_back ? "starboard" : "port"))};
+    if (!message.contains("image")) {
+      state = observe(state, track,
+                      {map_of(message.at(port_back ? "port" : "starboard")),
+                       map_of(message.at(port_back ? "starboard" : "port"))});
+      return;
     }
-    state = observe(state, track, observation);
+    // Images have their own threshold, and from the first one on places are uncertain.
+    const AccordionOptions image_o = accordion_of(c, kImageThreshold, kImageClearance);
+    AccordionState seen = state;
+    seen.options.threshold = image_o.threshold;
+    seen = observe(std::move(seen), track, observed_image(c, message, image_o, port_back));
+    seen.options.threshold = o.threshold;
+    seen.options.clearance_m = image_o.clearance_m;
+    state = std::move(seen);
+    images = true;
   };
   planner.figures = [&] {
     return nlohmann::ordered_json{{"improvement_pct", gain(state).whole_pct}};
   };
   const auto sailed = run_live(std::cin, std::cout, box, {}, planner);
   if (sailed.empty()) return;
+  AccordionOptions in_force = state.options;
+  if (images) in_force.threshold = c.threshold.value_or(kImageThreshold);
   MissionOutput out = mission_output(box, sailed, sonar_range_m(o), flat_depth_m(sonar_range_m(o)),
-                                     provenance(c, o, "live", image_options));
+                                     provenance(c, in_force, "live", image_options));
   out.planner = "accordion";
   out.label = "Accordion (live)";
   out.figures = figures_of(state);
@@ -273,7 +339,7 @@ Command adapt_accordion_command() {
                   c->output, [c] { simulate(*c); }),
        adapt_mode(
            "study", "Monte Carlo over alpha and p_obj, as published",
-           joined({planner_options(*c), {missions_option(c->missions, "Per alpha and p_obj")}}),
+           joined({study_options(*c), {missions_option(c->missions, "Per alpha and p_obj")}}),
            c->output, [c] { study_accordion(*c); }),
        adapt_mode("live", "JSON lines: observations in, tracks out",
                   joined({planner_options(*c), image_options(*c)}), c->output, [c] { live(*c); })}};

@@ -19,12 +19,11 @@ constexpr std::array<double, 7> kAreasKm2{5.5, 3.8, 3.3, 2.73, 2.34, 2.05, 1.36}
 constexpr int kShares = 21;
 
 // One cell: a hundred missions with one alpha and one share of strips with objects.
-std::vector<double> study_cell(const AccordionCommand& c, AccordionRule rule, std::size_t cell) {
+std::vector<double> study_cell(const AccordionCommand& c, const AccordionOptions& base,
+                               std::size_t cell) {
   const std::size_t a = cell / kShares;
   const double share = static_cast<double>(cell % kShares) / (kShares - 1);
-  AccordionOptions o = c.planner;
-  o.rule = rule;
-  o.threshold = kWorldThreshold;
+  AccordionOptions o = base;
   o.length_m = o.spacing_m / kAlphas[a];
   o.width_m =
       o.spacing_m * std::max(1.0, std::round(kAreasKm2[a] * 1e6 / o.length_m / o.spacing_m));
@@ -120,16 +119,17 @@ Chart study_chart(const std::string& rule, const std::vector<std::vector<double>
 }  // namespace
 
 void study_accordion(const AccordionCommand& c) {
-  const AccordionRule rule = accordion_of(c, kWorldThreshold).rule;
+  const AccordionOptions base = accordion_of(c, kWorldThreshold);
   const auto limit = thread_limit(c.output);
-  Study s{fmt::format("accordion-{}", c.rule),
-          fmt::format("seed {} missions {} spacing_m {}", c.output.seed, c.missions,
-                      c.planner.spacing_m),
-          {"alpha", "p_obj_pct", "width_m", "length_m", "mean_improvement_pct",
-           "mean_improvement_periods_pct", "published_improvement_pct", "worst_improvement_pct",
-           "worst_excess_tracks", "shorter_pct", "objects_not_seen_twice"},
-          kAlphas.size() * kShares,
-          [&](std::size_t cell) { return study_cell(c, rule, cell); }};
+  Study s{
+      fmt::format("accordion-{}", c.rule),
+      fmt::format("seed {} missions {} spacing_m {} nadir_gap_m {} clearance_m {}", c.output.seed,
+                  c.missions, base.spacing_m, base.nadir_gap_m, base.clearance_m),
+      {"alpha", "p_obj_pct", "width_m", "length_m", "mean_improvement_pct",
+       "mean_improvement_periods_pct", "published_improvement_pct", "worst_improvement_pct",
+       "worst_excess_tracks", "shorter_pct", "objects_not_seen_twice"},
+      kAlphas.size() * kShares,
+      [&](std::size_t cell) { return study_cell(c, base, cell); }};
   const auto rows = run_study(s, c.output.folder, study_progress("accordion", c.output.quiet));
   write_chart_png(c.output.folder / (s.name + ".png"), study_chart(c.rule, rows));
   const std::string summary = study_summary(rows);

@@ -12,6 +12,7 @@
 #include "apps/planning.h"
 #include "io/files/atomic_file.h"
 #include "mesh/base/error.h"
+#include "mesh/plane/area_query.h"
 #include "mesh/survey_area.h"
 #include "mesh/synthetic.h"
 
@@ -108,6 +109,37 @@ SurveyBox box_of(const BoxOptions& options, double width_m, double length_m, con
     box.corner = frame.to_local(Vec2(options.corner[0], options.corner[1]));
   }
   return box;
+}
+
+double mark_no_go(Route& route, const Area& no_go) {
+  if (no_go.empty() || route.waypoints.empty()) return 0.0;
+  constexpr double kEnd = 1e-9;  // a cut so near to a waypoint is that waypoint
+  const AreaQuery query(no_go);
+  std::vector<Waypoint> cut;
+  double inside_m = 0.0;
+  for (std::size_t i = 0; i + 1 < route.waypoints.size(); ++i) {
+    Waypoint piece = route.waypoints[i];
+    const Vec2 from = piece.position;
+    const Vec2 way = route.waypoints[i + 1].position - from;
+    const bool feasible = piece.feasible;
+    double at = 0.0;
+    const auto add = [&](double to, bool blocked) {
+      if (to <= at + kEnd) return;
+      piece.position = from + at * way;
+      piece.feasible = feasible && !blocked;
+      cut.push_back(piece);
+      at = to;
+    };
+    for (const auto& [low, high] : query.clip(from, from + way)) {
+      add(low, false);
+      add(high, true);
+      inside_m += (high - low) * way.norm();
+    }
+    add(1.0, false);
+  }
+  cut.push_back(route.waypoints.back());
+  route.waypoints = std::move(cut);
+  return inside_m;
 }
 
 Area box_area(const SurveyBox& box) {

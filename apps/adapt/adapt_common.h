@@ -43,6 +43,10 @@ struct BoxOptions {
 /// Keeps all work to the threads that were asked for, as long as it lives; 0: all cores.
 [[nodiscard]] tbb::global_control thread_limit(const AdaptOutput& output);
 
+/// Cuts the route where it enters and leaves the area, marks what lies inside infeasible, and
+/// returns these metres.
+double mark_no_go(Route& route, const Area& no_go);
+
 /// The survey area of the box.
 [[nodiscard]] Area box_area(const SurveyBox& box);
 

@@ -31,7 +31,8 @@ Json state_message(const SurveyBox& box, const Frame& frame, const LivePlanner& 
   return message;
 }
 
-void take(const nlohmann::json& message, const LivePlanner& planner,
+// `repeat`: an observation that was taken already is no error.
+void take(const nlohmann::json& message, const LivePlanner& planner, bool repeat,
           std::vector<SurveyTrack>& sailed) {
   if (!message.is_object() || !message.contains("track")) {
     throw InvalidInput(
@@ -43,6 +44,7 @@ void take(const nlohmann::json& message, const LivePlanner& planner,
   }
   const auto number = message["track"].get<long long>();
   const auto due = planner.next();
+  if (repeat && number >= 0 && number < static_cast<long long>(sailed.size())) return;
   if (!due) throw InvalidInput(fmt::format("track {}: the mission is complete", number));
   if (number < due->number && number >= 0) {
     throw InvalidInput(
@@ -84,7 +86,8 @@ std::vector<SurveyTrack> run_live(std::istream& in, std::ostream& out, const Sur
     try {
       const auto message = nlohmann::json::parse(line);
       const bool repeat = message.is_object() && message.value("repeat", false);
-      if (!repeat) take(message, planner, sailed);
+      const bool observed = message.is_object() && message.contains("track");
+      if (!repeat || observed) take(message, planner, repeat, sailed);
       answer(state_message(box, frame, planner, sailed));
     } catch (const nlohmann::json::exception& e) {
       refuse(reason(e));

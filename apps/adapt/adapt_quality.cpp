@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <optional>
 
 #include "apps/adapt/adapt_common.h"
 #include "apps/adapt/adapt_live.h"
@@ -69,6 +70,10 @@ OptionTable world_options(QualityCommand& c) {
                "Of the starboard side, m; 0: dead", "true_starboard_range_m")};
 }
 
+constexpr const char* kNothingGained =
+    "the survey ended before all was covered: track after track gave no good data where it was "
+    "missing";
+
 Provenance provenance(const QualityCommand& c, const std::string& mode, bool with_world) {
   QualityCommand typed = c;
   OptionTable rows = planner_options(typed);
@@ -91,7 +96,8 @@ void simulate(const QualityCommand& c) {
   const TrueQuality truth = true_quality(o, c.port_m, c.starboard_m);
   const QualitySurveyState state = sail(o, truth);
   const QualitySurveyState preplanned = sail_preplanned(o, truth);
-  const auto optimum = fewest_tracks(o, truth);
+  std::optional<std::vector<SurveyTrack>> optimum;
+  if (optimum_known(o)) optimum = fewest_tracks(o, truth);
   MissionOutput out = mission_output(box, state.sailed, o.range_max_m, flat_depth_m(o.range_max_m),
                                      provenance(c, "simulate", true));
   out.planner = "quality";
@@ -99,10 +105,18 @@ void simulate(const QualityCommand& c) {
   out.figures = {{"tracks", static_cast<double>(state.sailed.size())},
                  {"covered_pct", 100.0 * covered_share(state)},
                  {"travel_m", travel_m(state.sailed, o.length_m)},
-                 {"optimal_tracks", static_cast<double>(optimum.size())},
                  {"preplanned_tracks", static_cast<double>(preplanned.sailed.size())},
                  {"preplanned_covered_pct", 100.0 * covered_share(preplanned)}};
-  if (optimum.empty()) out.notes.push_back("no set of tracks covers the area with this sonar");
+  if (optimum) {
+    out.figures.insert(out.figures.begin() + 3,
+                       {"optimal_tracks", static_cast<double>(optimum->size())});
+  } else {
+    out.notes.push_back("swaths are too narrow for the exact optimum: it is not among the figures");
+  }
+  if (optimum && optimum->empty()) {
+    out.notes.push_back("no set of tracks covers the area with this sonar");
+  }
+  if (nothing_gained(state)) out.notes.push_back(kNothingGained);
   out.pictures = {picture_of("Pre-planned pairs", o, preplanned.sailed, preplanned.covered)};
   for (const GapConstraint constraint : kConstraints) {
     QualitySurveyOptions variant = o;
@@ -209,6 +223,12 @@ void study(const QualityCommand& c) {
   }
 }
 
+// How a finished survey ended.
+const char* status_of(const QualitySurveyState& state) {
+  if (covered_share(state) >= 1.0) return "covered";
+  return nothing_gained(state) ? "nothing gained" : "no track can cover more";
+}
+
 void live(const QualityCommand& c) {
   const SurveyBox box = box_of(c.box, c.planner.width_m, c.planner.length_m, {});
   const QualitySurveyOptions o = planner_of(c, box);
@@ -220,7 +240,8 @@ void live(const QualityCommand& c) {
                      message.at("starboard").get<std::vector<double>>()});
   };
   planner.figures = [&] {
-    return nlohmann::ordered_json{{"covered_pct", 100.0 * covered_share(state)}};
+    return nlohmann::ordered_json{{"covered_pct", 100.0 * covered_share(state)},
+                                  {"status", status_of(state)}};
   };
   const auto sailed = run_live(std::cin, std::cout, box, {}, planner);
   if (sailed.empty()) return;
@@ -230,6 +251,7 @@ void live(const QualityCommand& c) {
   out.label = "Quality survey (live)";
   out.figures = {{"tracks", static_cast<double>(sailed.size())},
                  {"covered_pct", 100.0 * covered_share(state)}};
+  if (nothing_gained(state)) out.notes.push_back(kNothingGained);
   out.pictures = {picture_of(out.label, o, sailed, state.covered)};
   write_live_mission(c.output, out, box, o.range_max_m);
 }

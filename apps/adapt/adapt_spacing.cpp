@@ -88,12 +88,13 @@ std::vector<double> profile(const ResidualRiskMap& map) {
 struct RiskFigures {
   double mean = 0.0;
   std::vector<MixtureComponent> mixture;
+  WorstComponent worst;  // over starts of the fit
 };
 RiskFigures risk_figures(const ResidualRiskMap& map, double border_m, int components) {
   const auto values = looked_at(without_border(map, border_m));
   const double sum = std::accumulate(values.begin(), values.end(), 0.0);
   return {values.empty() ? 1.0 : sum / static_cast<double>(values.size()),
-          fitted_mixture(values, components)};
+          fitted_mixture(values, components), worst_component(values, components)};
 }
 
 OptionTable planner_options(SpacingCommand& c) {
@@ -170,7 +171,9 @@ void simulate(const SpacingCommand& c) {
                  {"uncovered_inside_border_pct",
                   100.0 * uncovered_share(without_border(mission.risk, c.border_m))},
                  {"mean_risk", risk.mean},
-                 {"worst_component_mean_risk", risk.mixture.back().mean},
+                 {"worst_component_mean_risk", risk.worst.median},
+                 {"worst_component_mean_risk_lowest", risk.worst.lowest},
+                 {"worst_component_mean_risk_highest", risk.worst.highest},
                  {"worst_component_sigma", risk.mixture.back().sigma},
                  {"worst_component_share", risk.mixture.back().share}};
   if (mission.state.range_too_short) {
@@ -232,7 +235,7 @@ std::vector<double> study_cell(const SpacingCommand& c, std::size_t cell, std::s
       sums[at] += static_cast<double>(mission.state.sailed.size());
       sums[at + 1] += 100.0 * uncovered_share(mission.risk);
       sums[at + 2] += risk.mean;
-      sums[at + 3] += risk.mixture.back().mean;
+      sums[at + 3] += risk.worst.median;
     }
   }
   std::vector<double> row{range, start};
@@ -281,28 +284,38 @@ void study(const SpacingCommand& c) {
   }
 }
 
-DetectionCurve observed_curve(const nlohmann::json& message) {
-  if (message.contains("curve")) {
-    return {message["curve"].at("range_m").get<std::vector<double>>(),
-            message["curve"].at("p").get<std::vector<double>>()};
+DetectionCurve observed_curve(const nlohmann::json& sides) {
+  if (sides.contains("curve")) {
+    return {sides["curve"].at("range_m").get<std::vector<double>>(),
+            sides["curve"].at("p").get<std::vector<double>>()};
   }
-  const auto& counts = message.at("counts");
+  const auto& counts = sides.at("counts");
   return estimated_curve({counts.value("first_m", 0.0), counts.at("step_m").get<double>(),
                           counts.at("trials").get<std::vector<std::int64_t>>(),
                           counts.at("detections").get<std::vector<std::int64_t>>()});
 }
 
+SideCurves observed_curves(const nlohmann::json& message) {
+  if (message.contains("port") || message.contains("starboard")) {
+    return {observed_curve(message.at("port")), observed_curve(message.at("starboard"))};
+  }
+  const DetectionCurve both = observed_curve(message);
+  return {both, both};
+}
+
 void live(const SpacingCommand& c) {
-  const TrackSpacingOptions o = planner_of(c);
+  TrackSpacingOptions o = planner_of(c);
   const SurveyBox box = box_of(c.box, o.width_m, o.length_m, {});
+  o.port_looks_back = port_looks_back(box, {0, 0.0, true});
   TrackSpacingState state = start_spacing(o);
   LivePlanner planner{"spacing", [&] { return next_track(state); }, {}, {}};
   planner.observe = [&](const SurveyTrack& track, const nlohmann::json& message) {
-    state = observe(state, track, observed_curve(message));
+    state = observe(state, track, observed_curves(message));
   };
   planner.figures = [&] {
     return nlohmann::ordered_json{{"good_range_m", state.good_range_m},
-                                  {"range_too_short", state.range_too_short}};
+                                  {"range_too_short", state.range_too_short},
+                                  {"uncovered_pct", 100.0 * uncovered_m(state) / o.width_m}};
   };
   const auto sailed = run_live(std::cin, std::cout, box, {}, planner);
   if (sailed.empty()) return;
@@ -310,7 +323,8 @@ void live(const SpacingCommand& c) {
                                      provenance(c, o, "live", false));
   out.planner = "spacing";
   out.label = "Track spacing (live)";
-  out.figures = {{"tracks", static_cast<double>(sailed.size())}};
+  out.figures = {{"tracks", static_cast<double>(sailed.size())},
+                 {"uncovered_pct", 100.0 * uncovered_m(state) / o.width_m}};
   out.pictures = {picture_of(out.label, o, sailed)};
   write_live_mission(c.output, out, box, o.range_m);
 }

@@ -15,6 +15,10 @@ namespace swathplan {
 namespace {
 
 constexpr double kSamePlace = 1e-6;  // tracks nearer than a micrometre are one track
+// Pings do not begin and end exactly with the track.
+constexpr double kLengthSlack = 0.05;  // of a track
+constexpr double kShortSlack = 1.0;    // of a track that is only a few pings long
+constexpr double kLastPixel = 0.2;
 
 // Earlier tracks need no look: before a skip and its loop all tracks lie closer to the start.
 bool was_sailed(const AccordionState& state, double across) {
@@ -85,11 +89,31 @@ void check_map(const CostMap& map, const AccordionOptions& o, int track, const c
                     track, side, map.values.size(), map.rows, map.columns));
   }
   const double reach = map.first_m + map.columns * map.step_m;
-  if (!(map.step_m > 0.0) || map.first_m < 0.0 || reach < o.spacing_m - kSamePlace) {
+  if (!(map.step_m > 0.0) || !(map.first_m >= 0.0) || !(reach >= 0.0)) {
     throw InvalidInput(fmt::format(
-        "track {}: the {} cost map spans {} to {} m from the track; it must start at 0 m or more "
-        "and reach the strip width of {} m",
-        track, side, map.first_m, reach, o.spacing_m));
+        "track {}: the {} cost map begins {} m from the track with columns of {} m; it must begin "
+        "at 0 m or more, and columns must be wider than 0 m",
+        track, side, map.first_m, map.step_m));
+  }
+  if (std::max(map.first_m, map.blind_m) > o.nadir_gap_m + kSamePlace) {
+    throw InvalidInput(fmt::format(
+        "track {}: the {} cost map begins {} m from the track, beyond the nadir gap of {} m; the "
+        "strip next to the track would stay unseen",
+        track, side, std::max(map.first_m, map.blind_m), o.nadir_gap_m));
+  }
+  // A pixel is a rounded share of the range, so that the last one may end a little short of it.
+  const double needed = sonar_range_m(o);
+  if (reach < needed - std::max(kSamePlace, std::min(map.step_m, kLastPixel))) {
+    throw InvalidInput(fmt::format(
+        "track {}: the {} cost map reaches {} m from the track; it must reach the sonar "
+        "range (spacing + nadir gap) of {} m",
+        track, side, reach, needed));
+  }
+  const double slack = std::max(kLengthSlack * o.length_m, kShortSlack);
+  if (map.along_m != 0.0 && !(std::abs(map.along_m - o.length_m) <= slack)) {
+    throw InvalidInput(
+        fmt::format("track {}: the {} rows span {} m along the track; the track is {} m long",
+                    track, side, map.along_m, o.length_m));
   }
   for (std::size_t i = 0; i < map.values.size(); ++i) {
     if (!(map.values[i] >= 0.0F) || !std::isfinite(map.values[i])) {
@@ -129,15 +153,19 @@ void note_side(AccordionState& state, const SurveyTrack& track, const CostMap& m
   const bool fresh =
       state.seen_from_above.covered_m(strip) + state.seen_from_below.covered_m(strip) <
       0.5 * (strip.high - strip.low);
-  bool any = false;
-  for (const Interval& run : object_runs(map, o)) {
+  const auto keep = [&](const Interval& run) {
     const double a = track.across_m + sign * run.low;
     const double b = track.across_m + sign * run.high;
     const Interval object{std::max(0.0, std::min(a, b)), std::min(o.width_m, std::max(a, b))};
-    if (object.high - object.low < kSamePlace) continue;
+    if (object.high - object.low < kSamePlace) return false;
     state.pending.push_back(object);
-    any = true;
-  }
+    return true;
+  };
+  bool any = false;
+  for (const Interval& run : object_runs(map, o)) any = keep(run) || any;
+  // Nobody knows what lies in a blind strip, so the neighbours look at it as at an object.
+  const double blind = std::max(map.first_m, map.blind_m);
+  if (blind > kSamePlace) any = keep({0.0, blind}) || any;
   if (!fresh) return;
   ++state.strips_seen;
   if (any) ++state.strips_with_objects;

@@ -40,6 +40,10 @@ struct CostMap {
   int rows = 0, columns = 0;
   double first_m = 0.0, step_m = 1.0;
   std::vector<float> values;  ///< rows x columns, row by row
+  /// Width next to the track where nothing looked: the nadir gap of a vehicle without a gap filler.
+  /// What lies nearer than `first_m` counts as blind as well.
+  double blind_m = 0.0;
+  double along_m = 0.0;  ///< metres of track that the rows span; 0: the whole track
 
   /// Index of a value; rows x columns is index(rows, 0).
   [[nodiscard]] std::size_t index(int row, int column) const {
@@ -74,8 +78,12 @@ struct AccordionState {
 [[nodiscard]] std::optional<SurveyTrack> next_track(const AccordionState& state);
 
 /// The state after `track` was sailed.
+///
+/// Only what was looked at counts. A blind strip below the track is kept like an object, so that
+/// both neighbours look at it.
 /// @throws InvalidInput if `track` is not next_track(state), or if a cost map has the wrong size,
-/// does not reach the sonar range, or holds a NaN, infinite or negative cost.
+/// begins beyond the nadir gap, does not reach the sonar range, spans another length than the
+/// track's (by more than a twentieth and a metre), or holds a NaN, infinite or negative cost.
 [[nodiscard]] AccordionState observe(AccordionState state, const SurveyTrack& track,
                                      const AccordionObservation& observation);
 

@@ -100,7 +100,13 @@ void wipe_small(cv::Mat& cost, double pixel_area, const CostMapOptions& o) {
 
 CostMap gathered(const std::vector<float>& costs, const SideScanImage& image, double row_m) {
   const int per_row = pixels(row_m, image.row_m);
-  CostMap map{(image.rows + per_row - 1) / per_row, image.columns, 0.0, image.pixel_m, {}};
+  CostMap map{(image.rows + per_row - 1) / per_row,
+              image.columns,
+              0.0,
+              image.pixel_m,
+              {},
+              image.nadir_gap_m,
+              image.rows * image.row_m};
   map.values.assign(map.index(map.rows, 0), 0.0F);
   for (int r = 0; r < image.rows; ++r) {
     const auto to = map.index(r / per_row, 0);
@@ -110,6 +116,26 @@ CostMap gathered(const std::vector<float>& costs, const SideScanImage& image, do
     }
   }
   return map;
+}
+
+void check_heights(const AccordionObservation& observation, const NadirHeights& heights,
+                   const CostMapOptions& o) {
+  const auto size = static_cast<std::size_t>(std::max(0, heights.rows)) *
+                    static_cast<std::size_t>(std::max(0, heights.columns));
+  if (size == 0 || heights.columns % 2 != 0 || heights.z.size() != size) {
+    throw InvalidInput(
+        fmt::format("nadir heights of {} x {} places with {} values; give rows x an even number of "
+                    "columns of them, from port to starboard",
+                    heights.rows, heights.columns, heights.z.size()));
+  }
+  const int per_row = pixels(o.row_m, heights.row_m);
+  const int rows = (heights.rows + per_row - 1) / per_row;
+  if (rows != observation.back.rows || rows != observation.ahead.rows) {
+    throw InvalidInput(
+        fmt::format("nadir heights of {} pings, of which the cost maps have {} rows and not {}; "
+                    "give one row of heights per ping of the image",
+                    heights.rows, observation.back.rows, rows));
+  }
 }
 
 }  // namespace
@@ -146,6 +172,7 @@ AccordionObservation cost_maps(const SideScanImage& image, bool port_looks_back,
 
 void fill_nadir(AccordionObservation& observation, const NadirHeights& heights,
                 bool port_looks_back, const CostMapOptions& o) {
+  check_heights(observation, heights, o);
   cv::Mat z(heights.rows, heights.columns, CV_32F);
   std::copy(heights.z.begin(), heights.z.end(), z.begin<float>());
   const cv::Mat known = z == z;  // NaN is not itself
@@ -167,6 +194,9 @@ void fill_nadir(AccordionObservation& observation, const NadirHeights& heights,
       float& value = map.values[map.index(row, column)];
       value = std::max(value, cost.at<float>(r, c));
     }
+  }
+  for (CostMap* map : {&observation.back, &observation.ahead}) {
+    if (half * heights.pixel_m >= map->blind_m - 0.5 * heights.pixel_m) map->blind_m = 0.0;
   }
 }
 

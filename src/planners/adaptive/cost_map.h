@@ -20,13 +20,16 @@ struct CostMapOptions {
 /// m around): 0 is no more than usual, 1 is five times as much. Patches too small for an object are
 /// wiped out. A row of the cost map holds the largest cost of the pixels in it. Columns are the
 /// image's across-track pixels; those without data cost 0. `back` is the side that looks back, see
-/// port_looks_back().
+/// port_looks_back(). The image's nadir gap is blind until fill_nadir() looks into it.
 /// @throws InvalidInput if the image has no pixels or its sizes do not fit.
 [[nodiscard]] AccordionObservation cost_maps(const SideScanImage& image, bool port_looks_back,
                                              const CostMapOptions& options);
 
 /// Fills the nadir gap of the cost maps from a multibeam sonar's heights. The cost is the height
-/// above the bottom's local mean; 0.35 m cost 1. Where a map has a larger cost, it stays.
+/// above the bottom's local mean; 0.35 m cost 1. Where a map has a larger cost, it stays. The maps
+/// are blind no longer as far as the heights reach.
+/// @throws InvalidInput if the heights have no even number of columns, other sizes than they say,
+/// or another number of rows than the track's cost maps stand for.
 void fill_nadir(AccordionObservation& observation, const NadirHeights& heights,
                 bool port_looks_back, const CostMapOptions& options);
 

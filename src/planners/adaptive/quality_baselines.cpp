@@ -161,11 +161,15 @@ QualitySurveyState sail_preplanned(const QualitySurveyOptions& o, const TrueQual
   return state;
 }
 
+bool optimum_known(const QualitySurveyOptions& o) {
+  // A track that covers the first gap with its near side reaches this far beyond the gap.
+  return std::lround(2.0 * o.range_max_m / o.swath_m) < kWindow;
+}
+
 std::vector<SurveyTrack> fewest_tracks(const QualitySurveyOptions& o, const TrueQuality& truth) {
   check(o);
   const int count = swath_count(o);
-  // A track that covers the first gap with its near side reaches this far beyond the gap.
-  if (std::lround(2.0 * o.range_max_m / o.swath_m) >= kWindow) {
+  if (!optimum_known(o)) {
     throw UsageError(
         fmt::format("swath = {} m; the exact optimum needs twice the largest range "
                     "within {} swaths, so take a wider swath",

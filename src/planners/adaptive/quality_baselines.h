@@ -27,10 +27,13 @@ struct TrueQuality {
 [[nodiscard]] QualitySurveyState sail_preplanned(const QualitySurveyOptions& options,
                                                  const TrueQuality& truth);
 
+/// Whether fewest_tracks() can be computed: twice the largest range lies within 64 swaths.
+[[nodiscard]] bool optimum_known(const QualitySurveyOptions& options);
+
 /// The fewest tracks that cover everything when the truth is known. Exact: dynamic programming over
 /// the first uncovered swath and what is covered beyond it. Tracks lie on the swath edges inside
 /// the area, in the order of the first swath that each covers. A track may run either way.
-/// Empty if no set of tracks covers all.
+/// Empty if no set of tracks covers all. @throws UsageError where it is not optimum_known().
 [[nodiscard]] std::vector<SurveyTrack> fewest_tracks(const QualitySurveyOptions& options,
                                                      const TrueQuality& truth);
 

@@ -22,8 +22,11 @@ constexpr std::array<std::pair<GapConstraint, std::string_view>, 3> kNames{{
 
 // Rates are ratios of small integers, so rates closer than this are equal.
 constexpr double kSameRate = 1e-9;
-// A survey ends after this many tracks per swath: the sonar gives no good data where it is needed.
-constexpr std::size_t kTracksPerSwath = 2;
+// A survey ends after this many tracks in a row without a new swath. After the first of them each
+// range bin is judged anew, so a sonar that still works has covered something long before.
+constexpr int kVainInARow = 8;
+// So often may a line be sailed in one direction without covering anything new; in a row only once.
+constexpr std::ptrdiff_t kVainOnALine = 2;
 
 double required_probability(GapConstraint constraint) {
   return constraint == GapConstraint::strong ? 0.5 : 0.0;
@@ -60,12 +63,20 @@ SideRates rates_of(const QualitySurveyState& state) {
   return rates;
 }
 
+bool tried_enough(const QualitySurveyState& state, double across_m, bool outbound) {
+  const auto same = [&](const SurveyTrack& t) {
+    return t.outbound == outbound && std::abs(t.across_m - across_m) < 1e-6;
+  };
+  return std::any_of(state.vain.end() - state.vain_in_a_row, state.vain.end(), same) ||
+         std::count_if(state.vain.begin(), state.vain.end(), same) >= kVainOnALine;
+}
+
 std::vector<Candidate> candidates(const QualitySurveyState& state, bool outbound, int gap) {
   const SideRates rates = rates_of(state);
   std::vector<Candidate> result;
   for (int i = 0; i <= static_cast<int>(state.covered.size()); ++i) {
     const Candidate c = assess(state, i * state.options.swath_m, outbound, gap, rates);
-    if (c.benefit > 0.0) result.push_back(c);
+    if (c.benefit > 0.0 && !tried_enough(state, c.across_m, outbound)) result.push_back(c);
   }
   return result;
 }
@@ -156,7 +167,8 @@ int range_bins(const QualitySurveyOptions& o) {
 
 QualitySurveyState start_survey(const QualitySurveyOptions& options) {
   check(options);
-  QualitySurveyState state{options, {}, {}, {}, {}};
+  QualitySurveyState state;
+  state.options = options;
   const auto bins = static_cast<std::size_t>(range_bins(options));
   state.covered.assign(static_cast<std::size_t>(swath_count(options)), 0);
   state.good_port.assign(bins, 0);
@@ -167,7 +179,7 @@ QualitySurveyState start_survey(const QualitySurveyOptions& options) {
 double success_rate(const QualitySurveyState& state, bool port, int bin) {
   const auto i = static_cast<std::size_t>(bin);
   const int good = port ? state.good_port[i] : state.good_starboard[i];
-  return (good + 1.0) / (static_cast<double>(state.sailed.size()) + 2.0);
+  return (good + 1.0) / (state.counted + 2.0);
 }
 
 double transit_cost(const QualitySurveyOptions& options, double from_m, double to_m) {
@@ -180,10 +192,12 @@ double covered_share(const QualitySurveyState& state) {
   return static_cast<double>(count) / static_cast<double>(state.covered.size());
 }
 
+bool nothing_gained(const QualitySurveyState& state) { return state.vain_in_a_row >= kVainInARow; }
+
 std::optional<SurveyTrack> next_track(const QualitySurveyState& state) {
   const auto gap = std::find(state.covered.begin(), state.covered.end(), 0);
   if (gap == state.covered.end()) return std::nullopt;
-  if (state.sailed.size() >= kTracksPerSwath * state.covered.size()) return std::nullopt;
+  if (nothing_gained(state)) return std::nullopt;
   const int number = static_cast<int>(state.sailed.size());
   const bool outbound = number % 2 == 0;
   auto list = candidates(state, outbound, static_cast<int>(gap - state.covered.begin()));
@@ -209,9 +223,24 @@ QualitySurveyState observe(QualitySurveyState state, const SurveyTrack& track,
   const auto bins = static_cast<std::size_t>(range_bins(state.options));
   check_side(observation.port, bins, track.number, "port");
   check_side(observation.starboard, bins, track.number, "starboard");
+  const auto before = std::count(state.covered.begin(), state.covered.end(), 1);
+  const std::vector<int> old_port = state.good_port;
+  const std::vector<int> old_starboard = state.good_starboard;
   note_side(state, track, true, observation.port);
   note_side(state, track, false, observation.starboard);
+  ++state.counted;
   state.sailed.push_back(track);
+  if (std::count(state.covered.begin(), state.covered.end(), 1) > before) {
+    state.vain_in_a_row = 0;
+    return state;
+  }
+  state.vain.push_back(track);
+  if (++state.vain_in_a_row > 1) return state;
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    state.good_port[bin] -= old_port[bin];
+    state.good_starboard[bin] -= old_starboard[bin];
+  }
+  state.counted = 1;
   return state;
 }
 

@@ -49,22 +49,32 @@ struct QualitySurveyState {
   std::vector<SurveyTrack> sailed;
   std::vector<char> covered;  ///< per swath: 1 once good data is there (the paper's first 'gamma')
   std::vector<int> good_port, good_starboard;  ///< per range bin: tracks that gave good data
+  int counted = 0;  ///< tracks behind these counts; they begin anew where the sonar has changed
+  std::vector<SurveyTrack> vain;  ///< tracks that covered nothing new
+  int vain_in_a_row = 0;          ///< the last so many tracks covered nothing new
 };
 [[nodiscard]] QualitySurveyState start_survey(const QualitySurveyOptions& options);
 
 /// Expected success rate of a range bin: (good + 1) / (tracks + 2), the mean of the Beta posterior
-/// with a flat prior.
+/// with a flat prior. A track that covers nothing new shows that the past says little about today's
+/// sonar, so the counts begin anew with it.
 [[nodiscard]] double success_rate(const QualitySurveyState& state, bool port, int bin);
 /// Transit cost of a track at `to` after one at `from`: (d / omega - 1)^2.
 [[nodiscard]] double transit_cost(const QualitySurveyOptions& options, double from_m, double to_m);
 /// Share of swaths covered, [0, 1].
 [[nodiscard]] double covered_share(const QualitySurveyState& state);
 
+/// Whether the survey ended because track after track covered nothing new: the sonar gives no good
+/// data.
+[[nodiscard]] bool nothing_gained(const QualitySurveyState& state);
+
 /// The next track: the one with the highest utility, benefit - weight x cost, among those that the
 /// constraint allows. Tracks lie on the grid of swath edges inside the area. Of equal tracks the
 /// one nearest the start edge is taken. Where no track meets the constraint (before anything is
 /// known, or after failures), those with the highest probability of covering the first uncovered
-/// swath compete. Empty when all is covered, or when no track can cover more.
+/// swath compete. A line that was sailed twice in the same direction without covering anything new
+/// is not sailed again. Empty when all is covered, when no track can cover more, or when
+/// nothing_gained().
 [[nodiscard]] std::optional<SurveyTrack> next_track(const QualitySurveyState& state);
 
 /// The state after `track` was sailed.

@@ -35,6 +35,21 @@ std::vector<double> quantiles(std::span<const double> values) {
   return result;
 }
 
+// OpenCV's fit begins with clusters that it draws from the thread's own generator, whose state
+// depends on all that the thread did before.
+class OwnRandomState {
+ public:
+  explicit OwnRandomState(std::uint64_t seed) : before_(cv::theRNG().state) {
+    cv::theRNG().state = mixed_seed(seed, 13);
+  }
+  ~OwnRandomState() { cv::theRNG().state = before_; }
+  OwnRandomState(const OwnRandomState&) = delete;
+  OwnRandomState& operator=(const OwnRandomState&) = delete;
+
+ private:
+  std::uint64_t before_;
+};
+
 }  // namespace
 
 ResidualRiskMap residual_risk(std::span<const SurveyTrack> tracks, const DetectionCurve& truth,
@@ -99,7 +114,8 @@ std::vector<int> histogram(std::span<const double> values, int bins) {
   return counts;
 }
 
-std::vector<MixtureComponent> fitted_mixture(std::span<const double> values, int count) {
+std::vector<MixtureComponent> fitted_mixture(std::span<const double> values, int count,
+                                             std::uint64_t start) {
   if (count < 1 || values.size() < 10 * static_cast<std::size_t>(count)) {
     throw InvalidInput(
         fmt::format("{} values for a mixture of {} components; at least ten per "
@@ -108,17 +124,14 @@ std::vector<MixtureComponent> fitted_mixture(std::span<const double> values, int
   }
   std::vector<double> sorted = quantiles(values);
   cv::Mat samples(static_cast<int>(sorted.size()), 1, CV_64F, sorted.data());
-  cv::Mat means(count, 1, CV_64F);
-  for (int k = 0; k < count; ++k) {
-    const double quantile = (k + 0.5) / count;
-    means.at<double>(k) =
-        sorted[static_cast<std::size_t>(quantile * static_cast<double>(sorted.size()))];
-  }
   const auto em = cv::ml::EM::create();
   em->setClustersNumber(count);
   em->setCovarianceMatrixType(cv::ml::EM::COV_MAT_DIAGONAL);
   em->setTermCriteria({cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 200, 1e-6});
-  em->trainE(samples, means);
+  {
+    const OwnRandomState own(start);
+    em->trainEM(samples);
+  }
   std::vector<cv::Mat> covariances;
   em->getCovs(covariances);
   const cv::Mat fitted = em->getMeans();
@@ -133,6 +146,27 @@ std::vector<MixtureComponent> fitted_mixture(std::span<const double> values, int
   std::sort(result.begin(), result.end(),
             [](const auto& a, const auto& b) { return a.mean < b.mean; });
   return result;
+}
+
+WorstComponent worst_component(std::span<const double> values, int count, int starts) {
+  const auto means = [&](int components) {
+    std::vector<double> result;
+    for (int i = 1; i <= std::max(1, starts); ++i) {
+      const auto start = static_cast<std::uint64_t>(i);
+      result.push_back(fitted_mixture(values, components, start).back().mean);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const std::vector<double> asked = means(count);
+  WorstComponent worst{asked[asked.size() / 2], asked.front(), asked.back()};
+  for (const int other : {count - 1, count + 1}) {
+    if (other < 2 || values.size() < 10 * static_cast<std::size_t>(other)) continue;
+    const std::vector<double> list = means(other);
+    worst.lowest = std::min(worst.lowest, list.front());
+    worst.highest = std::max(worst.highest, list.back());
+  }
+  return worst;
 }
 
 }  // namespace swathplan

@@ -42,11 +42,23 @@ struct RiskMapOptions {
 struct MixtureComponent {
   double mean = 0.0, sigma = 0.0, share = 0.0;
 };
-/// Fits a mixture of `count` Gaussians, ascending by mean, by OpenCV's expectation maximisation.
-/// The fit uses at most 500 quantiles of the values and starts from them, so the same values always
-/// give the same fit.
+/// Fits a mixture of `count` Gaussians, ascending by mean, by OpenCV's expectation maximisation of
+/// at most 500 quantiles of the values. The fit finds one of several optima; `start` chooses where
+/// it begins. The same values and start always give the same fit.
 /// @throws InvalidInput if there are fewer values than ten per component.
 [[nodiscard]] std::vector<MixtureComponent> fitted_mixture(std::span<const double> values,
-                                                           int count);
+                                                           int count, std::uint64_t start = 1);
+
+/// Means of the rightmost component over several fits.
+struct WorstComponent {
+  double median = 0.0;  ///< over the starts, with the number of components asked for
+  double lowest = 0.0,
+         highest = 0.0;  ///< over the starts, with one component less and more as well
+};
+/// Fits from `starts` starts with `count` components, and with one less (but two at least) and one
+/// more. Where the means lie far apart the data do not tell one optimum from another, and none may
+/// be quoted alone. @throws InvalidInput if there are fewer values than ten per component.
+[[nodiscard]] WorstComponent worst_component(std::span<const double> values, int count,
+                                             int starts = 9);
 
 }  // namespace swathplan

@@ -16,13 +16,18 @@ constexpr float kNothing = 0.1F;
 constexpr float kObject = 1.0F;
 constexpr int kColumns = 8;  // of an abstract cost map: an eighth of a strip each
 
-CostMap side_map(const StripWorld& world, double from, double sign, double spacing) {
-  CostMap map{1, kColumns, 0.0, spacing / kColumns, std::vector<float>(kColumns, kNothing)};
-  const double low = sign > 0.0 ? from : from - spacing;
+// Columns beyond the strip take in the nadir gap of the neighbouring track.
+CostMap side_map(const StripWorld& world, double from, double sign, const AccordionOptions& o) {
+  const double step = o.spacing_m / kColumns;
+  const int columns = kColumns + static_cast<int>(std::ceil(o.nadir_gap_m / step - 1e-9));
+  CostMap map{1, columns, 0.0, step, {}};
+  map.values.assign(static_cast<std::size_t>(columns), kNothing);
+  const double range = sonar_range_m(o);
+  const double low = sign > 0.0 ? from : from - range;
   auto at = std::lower_bound(world.objects_m.begin(), world.objects_m.end(), low);
-  for (; at != world.objects_m.end() && *at <= low + spacing; ++at) {
+  for (; at != world.objects_m.end() && *at <= low + range; ++at) {
     const int column = static_cast<int>(std::abs(*at - from) / map.step_m);
-    map.values[static_cast<std::size_t>(std::min(column, kColumns - 1))] = kObject;
+    map.values[static_cast<std::size_t>(std::min(column, columns - 1))] = kObject;
   }
   return map;
 }
@@ -51,8 +56,8 @@ StripWorld random_strips(double width_m, double spacing_m, double share, std::ui
 
 AccordionObservation observe_world(const StripWorld& world, const AccordionOptions& options,
                                    const SurveyTrack& track) {
-  return {side_map(world, track.across_m, -1.0, options.spacing_m),
-          side_map(world, track.across_m, 1.0, options.spacing_m)};
+  return {side_map(world, track.across_m, -1.0, options),
+          side_map(world, track.across_m, 1.0, options)};
 }
 
 AccordionMission sail(const StripWorld& world, const AccordionOptions& options) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mesh/base/error.h"
 #include "mesh/base/require.h"
@@ -12,6 +13,11 @@ namespace swathplan {
 namespace {
 
 constexpr double kTouching = 1e-6;  // widths that differ by a micrometre are the same
+// A narrower stripe is no more than the estimate of a range is uncertain, and is not worth a track.
+constexpr double kLeastStripe = 5.0;
+// A single track that covers less than this was in vain. Two of them show that no third will help.
+constexpr double kLeastGain = 1.0;
+constexpr int kVainRepairs = 2;
 
 double pair_width_m(double range, double nadir) { return 3.0 * range - nadir; }
 double single_width_m(double range, double nadir) { return range - nadir; }
@@ -60,13 +66,91 @@ void close_pair(TrackSpacingState& state) {
   open_pair(state);
 }
 
-void learn(TrackSpacingState& state, const DetectionCurve& curve) {
+// What a track at `across_m` covers with the ranges of the last one.
+void add_sides(IntervalSet& covered, const TrackSpacingState& state, double across_m,
+               bool outbound) {
   const TrackSpacingOptions& o = state.options;
-  const auto good = admissible_range_m(curve, o.threshold);
+  const bool port_back = outbound == o.port_looks_back;
+  const double back = port_back ? state.port_m : state.starboard_m;
+  const double ahead = port_back ? state.starboard_m : state.port_m;
+  covered.add({across_m - back, across_m - o.nadir_m});
+  covered.add({across_m + o.nadir_m, across_m + ahead});
+}
+
+// The first stripe between `from` and `to` that nobody has covered.
+std::optional<Interval> first_stripe(const IntervalSet& covered, double from, double to) {
+  double at = from;
+  while (at < to - kLeastStripe) {
+    const double low = covered.run_end(at);
+    const auto next = std::find_if(covered.stretches().begin(), covered.stretches().end(),
+                                   [&](const Interval& s) { return s.low > low; });
+    const double high = next == covered.stretches().end() ? to : std::min(next->low, to);
+    if (high - low >= kLeastStripe) return Interval{low, high};
+    at = std::max(high, at + kTouching);
+  }
+  return std::nullopt;
+}
+
+// The stripe that pairs have left; looked for between pairs only.
+std::optional<Interval> open_stripe(const TrackSpacingState& state) {
+  const TrackSpacingOptions& o = state.options;
+  if (!o.adapt || !o.careful || state.sailed.empty() || state.in_pair != 0) return std::nullopt;
+  return first_stripe(state.covered, state.given_up_m, std::min(state.edge_m, o.width_m));
+}
+
+// Where a single track covers most of the area anew, its one side or the other at the stripe.
+// Empty where the sonar does not see beyond its own nadir gap.
+std::optional<double> repair_m(const TrackSpacingState& state, const Interval& stripe,
+                               bool outbound) {
+  const TrackSpacingOptions& o = state.options;
+  const bool port_back = outbound == o.port_looks_back;
+  const double back = port_back ? state.port_m : state.starboard_m;
+  std::optional<double> best;
+  double most = kLeastGain;
+  const Interval area{0.0, o.width_m};
+  const double before = state.covered.covered_m(area);
+  for (const double across : {stripe.low + back, stripe.low - o.nadir_m}) {
+    IntervalSet after = state.covered;
+    add_sides(after, state, across, outbound);
+    const double gained = after.covered_m(area) - before;
+    const bool closes = after.run_end(stripe.low) > stripe.low + kLeastGain;
+    if (!closes || gained <= most + kTouching) continue;
+    most = gained;
+    best = across;
+  }
+  return best;
+}
+
+std::optional<SurveyTrack> repair_track(const TrackSpacingState& state) {
+  const auto stripe = open_stripe(state);
+  if (!stripe) return std::nullopt;
+  const int number = static_cast<int>(state.sailed.size());
+  const auto across = repair_m(state, *stripe, number % 2 == 0);
+  if (!across) return std::nullopt;
+  return SurveyTrack{number, *across, number % 2 == 0};
+}
+
+void close_repair(TrackSpacingState& state, const Interval& stripe) {
+  const bool vain = state.covered.run_end(stripe.low) < stripe.low + kLeastGain;
+  state.vain_repairs = vain ? state.vain_repairs + 1 : 0;
+  if (state.vain_repairs >= kVainRepairs) {
+    state.given_up_m = stripe.high;
+    state.vain_repairs = 0;
+  }
+  if (state.edge_m > state.options.width_m - kTouching) return;
+  state.edge_m = std::min(state.covered.run_end(state.edge_m), state.options.width_m);
+  open_pair(state);
+}
+
+void learn(TrackSpacingState& state, const SurveyTrack& track, const SideCurves& curves) {
+  const TrackSpacingOptions& o = state.options;
+  state.port_m = admissible_range_m(curves.port, o.threshold).value_or(0.0);
+  state.starboard_m = admissible_range_m(curves.starboard, o.threshold).value_or(0.0);
+  add_sides(state.covered, state, track.across_m, track.outbound);
   if (!o.adapt) return;
   // A tenth of a millimetre of rounding must not cost a metre of range.
-  const double range = good ? std::floor(*good + 1e-4) : 0.0;
-  state.range_too_short = range < 3.0 * o.nadir_m;
+  const double range = std::floor(std::min(state.port_m, state.starboard_m) + 1e-4);
+  state.range_too_short = state.range_too_short || range < 3.0 * o.nadir_m;
   state.good_range_m = std::max(range, 3.0 * o.nadir_m);
 }
 
@@ -127,7 +211,13 @@ TrackSpacingState start_spacing(const TrackSpacingOptions& options) {
   return state;
 }
 
+double uncovered_m(const TrackSpacingState& state) {
+  const double width = state.options.width_m;
+  return std::max(0.0, width - state.covered.covered_m({0.0, width}));
+}
+
 std::optional<SurveyTrack> next_track(const TrackSpacingState& state) {
+  if (const auto repair = repair_track(state)) return repair;
   if (state.edge_m > state.options.width_m - kTouching) return std::nullopt;
   const int number = static_cast<int>(state.sailed.size());
   const double across = state.in_pair == 0 ? first_of_pair_m(state)
@@ -138,11 +228,23 @@ std::optional<SurveyTrack> next_track(const TrackSpacingState& state) {
 
 TrackSpacingState observe(TrackSpacingState state, const SurveyTrack& track,
                           const DetectionCurve& curve) {
+  return observe(std::move(state), track, SideCurves{curve, curve});
+}
+
+TrackSpacingState observe(TrackSpacingState state, const SurveyTrack& track,
+                          const SideCurves& curves) {
   check_due(track, next_track(state));
-  check(curve, fmt::format("track {}: P(y) curve", track.number));
+  check(curves.port, fmt::format("track {}: P(y) curve (port)", track.number));
+  check(curves.starboard, fmt::format("track {}: P(y) curve (starboard)", track.number));
+  const bool repairs = repair_track(state).has_value();
+  const auto stripe = repairs ? open_stripe(state) : std::nullopt;
   state.sailed.push_back(track);
   state.ranges_m.push_back(state.range_m);
-  learn(state, curve);
+  learn(state, track, curves);
+  if (stripe) {
+    close_repair(state, *stripe);
+    return state;
+  }
   if (++state.in_pair == (state.single ? 1 : 2)) close_pair(state);
   return state;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planners/adaptive/detection_curve.h"
+#include "planners/adaptive/intervals.h"
 #include "planners/adaptive/survey_track.h"
 
 namespace swathplan {
@@ -17,7 +18,9 @@ struct TrackSpacingOptions {
   bool adapt = true;        ///< false: the control, which keeps `range_m` throughout
   /// An addition to the paper. A pair's second track is laid by what its first one saw. Where the
   /// plan has width to spare, pairs move towards the start edge, where the range is known least.
+  /// Where data was worse than a pair was laid for, single tracks close the stripes that it left.
   bool careful = true;
+  bool port_looks_back = true;  ///< on outbound tracks; matters where the sides differ
 };
 /// @throws UsageError if an option breaks its rule, among them range_m >= 3 nadir_m; names it.
 void check(const TrackSpacingOptions& options);
@@ -40,18 +43,36 @@ struct TrackSpacingState {
   double spare_m = 0.0;          ///< how far the pair was moved towards the start
   bool single = false;           ///< the pair is a single last track
   int in_pair = 0;               ///< tracks of the pair that are sailed
-  /// True once data was good to less than 3 r_n. Paired tracks cannot cover each other's nadir gaps
-  /// then. The survey goes on at 3 r_n and leaves gaps.
+  /// True once data was good to less than 3 r_n, and ever after. Paired tracks cannot cover each
+  /// other's nadir gaps then. The survey goes on at 3 r_n and leaves gaps.
   bool range_too_short = false;
+  double port_m = 0.0,
+         starboard_m = 0.0;  ///< up to where the last track's data was good; 0: nowhere
+  IntervalSet covered;       ///< of the across axis, by each track's own good data
+  int vain_repairs = 0;      ///< the last so many single tracks closed nothing
+  double given_up_m = 0.0;   ///< stripes nearer to the start than this are not tried again
 };
 [[nodiscard]] TrackSpacingState start_spacing(const TrackSpacingOptions& options);
 
-/// The next track; empty when the area is done. It may lie outside the area by up to r.
+/// What one track lets the vehicle estimate, for each side.
+struct SideCurves {
+  DetectionCurve port, starboard;
+};
+
+/// Metres of the area's width that no track has covered with good data.
+[[nodiscard]] double uncovered_m(const TrackSpacingState& state);
+
+/// The next track; empty when the area is done. It may lie outside the area by up to r. Before a
+/// new pair comes a single track for the first stripe of at least 5 m that the pairs left.
 [[nodiscard]] std::optional<SurveyTrack> next_track(const TrackSpacingState& state);
 
-/// The state after `track` was sailed and `curve` estimated from its data. The control only checks
-/// that the curve is valid.
-/// @throws InvalidInput if that track is not next_track(state), or the curve is not valid.
+/// The state after `track` was sailed and its curves estimated from its data. Pairs are planned
+/// from the worse side; a dead side has a curve that stays below the threshold. The control only
+/// checks that the curves are valid.
+/// @throws InvalidInput if that track is not next_track(state), or a curve is not valid.
+[[nodiscard]] TrackSpacingState observe(TrackSpacingState state, const SurveyTrack& track,
+                                        const SideCurves& curves);
+/// The same with one curve for both sides.
 [[nodiscard]] TrackSpacingState observe(TrackSpacingState state, const SurveyTrack& track,
                                         const DetectionCurve& curve);
 

@@ -102,8 +102,10 @@ TEST(Accordion, DirectionsAlternate) {
   }
 }
 
-// Equation 2 in an empty area, equation 3 where each period is of case 8, over whole periods.
-TEST(Accordion, BestAndWorstMissionsMeetTheEquations) {
+// Equation 2 in an empty area, equation 3 where each period is of case 8, over whole periods. The
+// paper calls the latter the worst case; EverySecondStripCostsTwiceTheCaseOfEquationThree finds
+// a worse one.
+TEST(Accordion, EmptyAreasAndCaseEightMeetTheEquations) {
   for (const double alpha : {0.01, 0.1, 0.25, 0.5, 1.0, 2.0}) {
     AccordionOptions o = strip_options(40);
     o.length_m = kW / alpha;
@@ -115,6 +117,45 @@ TEST(Accordion, BestAndWorstMissionsMeetTheEquations) {
     EXPECT_NEAR(gain(sail(chosen_strips(kW, worst), o).state).periods_pct,
                 -100.0 * alpha / (2.0 * (1.0 + alpha)), 1e-9);
   }
+}
+
+// Strips whose pattern repeats after `period` of them, from the start edge on.
+std::vector<int> repeated(unsigned pattern, unsigned period, int strips) {
+  std::vector<int> result;
+  for (int s = 0; s < strips; ++s) {
+    if ((pattern >> (static_cast<unsigned>(s) % period)) & 1U) result.push_back(s);
+  }
+  return result;
+}
+
+// Each skip then ends in a loop back: a period of four strips takes 4 L + 8 W instead of 4 L + 4 W.
+TEST(Accordion, EverySecondStripCostsTwiceTheCaseOfEquationThree) {
+  for (const double alpha : {0.01, 0.1, 0.25, 0.5, 1.0, 2.0}) {
+    AccordionOptions o = strip_options(40);
+    o.length_m = kW / alpha;
+    const auto mission = sail(chosen_strips(kW, repeated(2, 2, 40)), o);
+    const auto until = [&](double across) {
+      return length_until_m(mission.state.sailed, o.length_m, across);
+    };
+    EXPECT_NEAR(until(24 * kW) - until(20 * kW), 4 * o.length_m + 8 * kW, 1e-9);
+    const double lawnmower = 4 * o.length_m + 4 * kW;
+    EXPECT_NEAR(1.0 - (until(24 * kW) - until(20 * kW)) / lawnmower, -alpha / (1.0 + alpha), 1e-9);
+  }
+}
+
+// Of all patterns that repeat after up to eight strips none is worse.
+TEST(Accordion, NoPatternUpToEightStripsIsWorseThanEverySecond) {
+  AccordionOptions o = strip_options(840);  // a multiple of all periods
+  o.length_m = kW;
+  double worst = 0.0;
+  for (unsigned period = 1; period <= 8; ++period) {
+    for (unsigned pattern = 0; pattern < 1U << period; ++pattern) {
+      const auto mission = sail(chosen_strips(kW, repeated(pattern, period, 840)), o);
+      worst = std::min(worst, gain(mission.state).periods_pct);
+    }
+  }
+  // A pattern may gain or lose a strip at the area's edges.
+  EXPECT_NEAR(worst, -50.0, 0.2);
 }
 
 TEST(Accordion, IsTheLawnmowerWhereObjectsAreEverywhere) {
@@ -325,7 +366,50 @@ TEST(Accordion, RefusesBadObservations) {
   EXPECT_THAT(refusal(track, wrong), HasSubstr("cost 3 of the ahead side"));
   wrong = empty_observation();
   wrong.ahead.step_m = 1.0;
-  EXPECT_THAT(refusal(track, wrong), HasSubstr("reach the strip width"));
+  EXPECT_THAT(refusal(track, wrong), HasSubstr("reach the sonar range"));
+}
+
+TEST(Accordion, RefusesObservationsThatDoNotSpanTheStrip) {
+  AccordionOptions o = strip_options(8);
+  o.nadir_gap_m = 5.0;
+  const AccordionState state = start_accordion(o);
+  const SurveyTrack track = *next_track(state);
+  const auto refusal = [&](const CostMap& map) {
+    return message_of<InvalidInput>([&] { (void)observe(state, track, {map, map}); });
+  };
+  // One column at the far end of the strip.
+  EXPECT_THAT(refusal({1, 1, 49.0, 6.0, {0.1F}}), HasSubstr("beyond the nadir gap of 5 m"));
+  // To the strip's width, but not into the neighbour's nadir gap.
+  EXPECT_THAT(refusal({1, 1, 0.0, 50.0, {0.1F}}), HasSubstr("reaches 50 m"));
+  CostMap map{1, 1, 0.0, 55.0, {0.1F}};
+  map.along_m = 0.01 * kL;
+  EXPECT_THAT(refusal(map), HasSubstr("span 4 m along the track; the track is 400 m long"));
+  map.along_m = 100.0 * kL;
+  EXPECT_THAT(refusal(map), HasSubstr("span 40000 m"));
+  map.along_m = 0.97 * kL;
+  EXPECT_NO_THROW((void)observe(state, track, {map, map}));
+}
+
+// Maps that begin at the nadir gap: no skip may leave the strip below a track unseen.
+TEST(Accordion, BlindStripsAreSeenFromNeighbours) {
+  for (const AccordionRule rule : {AccordionRule::basic, AccordionRule::bounded}) {
+    for (const double first : {5.0, 0.0}) {
+      AccordionOptions o{.width_m = 440.0, .length_m = 370.0, .spacing_m = 45.0};
+      o.nadir_gap_m = 5.0;
+      o.rule = rule;
+      AccordionState state = start_accordion(o);
+      IntervalSet seen;
+      while (const auto track = next_track(state)) {
+        CostMap map{1, 10, first, (50.0 - first) / 10.0, std::vector<float>(10, 0.1F)};
+        state = observe(state, *track, {map, map});
+        seen.add({track->across_m - 50.0, track->across_m - first});
+        seen.add({track->across_m + first, track->across_m + 50.0});
+        ASSERT_LT(state.sailed.size(), 30U);
+      }
+      EXPECT_NEAR(seen.covered_m({0.0, 440.0}), 440.0, 1e-6) << first;
+      EXPECT_EQ(state.sailed.size() > 8U, first > 0.0) << first;  // a gap filler lets it skip
+    }
+  }
 }
 
 TEST(Accordion, RefusesBadOptions) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/base/error.h"
 #include "mesh/base/random.h"
 
 namespace swathplan {
@@ -76,6 +77,14 @@ TEST(QualityBaselines, FewestTracksAgreesWithBruteForce) {
 TEST(QualityBaselines, ImpossibleOptimumIsEmpty) {
   const QualitySurveyOptions o;
   EXPECT_TRUE(fewest_tracks(o, true_quality(o, 0, 0)).empty());
+}
+
+TEST(QualityBaselines, TheOptimumIsNotKnownForNarrowSwaths) {
+  QualitySurveyOptions o;
+  EXPECT_TRUE(optimum_known(o));
+  o.swath_m = 2.5;
+  EXPECT_FALSE(optimum_known(o));
+  EXPECT_THROW((void)fewest_tracks(o, true_quality(o, 70, 70)), UsageError);
 }
 
 TEST(QualityBaselines, TravelCountsTheWayBackToTheSameEnd) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 
 #include "mesh/base/error.h"
@@ -78,7 +80,46 @@ TEST(QualitySurvey, ADeadSonarEndsTheSurvey) {
   o.width_m = 200.0;
   const auto state = sail(o, true_quality(o, 0, 0));
   EXPECT_DOUBLE_EQ(covered_share(state), 0.0);
-  EXPECT_EQ(state.sailed.size(), 40U);
+  EXPECT_EQ(state.sailed.size(), 8U);
+  EXPECT_TRUE(nothing_gained(state));
+}
+
+std::size_t most_sails_of_a_line(const QualitySurveyState& state) {
+  std::size_t most = 0;
+  for (const SurveyTrack& t : state.sailed) {
+    const auto same =
+        std::count_if(state.sailed.begin(), state.sailed.end(),
+                      [&](const SurveyTrack& other) { return other.across_m == t.across_m; });
+    most = std::max(most, static_cast<std::size_t>(same));
+  }
+  return most;
+}
+
+// The sonar sees to 150 m, and to 70 m from half way on.
+TEST(QualitySurvey, ADropOfRangeIsNoReasonToSailALineAgainAndAgain) {
+  for (const auto constraint : {GapConstraint::none, GapConstraint::mild, GapConstraint::strong}) {
+    const auto o = quality_options(constraint);
+    auto state = start_survey(o);
+    while (const auto track = next_track(state)) {
+      const double range = covered_share(state) < 0.5 ? 150.0 : 70.0;
+      state = observe(state, *track, observe_world(true_quality(o, range, range)));
+    }
+    EXPECT_DOUBLE_EQ(covered_share(state), 1.0) << name(constraint);
+    EXPECT_FALSE(nothing_gained(state));
+    EXPECT_LE(most_sails_of_a_line(state), 4U) << name(constraint);
+    EXPECT_LE(state.sailed.size(), 31U) << name(constraint);  // 5 + 18 are the fewest
+  }
+}
+
+TEST(QualitySurvey, ASonarThatDiesOnTheWayEndsTheSurvey) {
+  const auto o = quality_options(GapConstraint::strong);
+  auto state = start_survey(o);
+  while (const auto track = next_track(state)) {
+    const double range = state.sailed.size() < 4 ? 150.0 : 0.0;
+    state = observe(state, *track, observe_world(true_quality(o, range, range)));
+  }
+  EXPECT_TRUE(nothing_gained(state));
+  EXPECT_EQ(state.sailed.size(), 12U);
 }
 
 TEST(QualitySurvey, RefusesBadObservations) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <opencv2/core.hpp>
 
 #include "mesh/base/error.h"
 #include "mesh/base/random.h"
@@ -55,6 +56,43 @@ TEST(ResidualRisk, MixtureFindsItsComponents) {
   EXPECT_NEAR(fit[1].sigma, 0.04, 0.005);
   EXPECT_NEAR(fit[1].share, 0.3, 0.01);
   EXPECT_DOUBLE_EQ(fitted_mixture(values, 2)[1].mean, fit[1].mean);
+}
+
+std::vector<double> three_heaps() {
+  SeededNumbers numbers(12);
+  std::vector<double> values;
+  for (int i = 0; i < 2000; ++i) values.push_back(0.5 + 0.05 * numbers.normal());
+  for (int i = 0; i < 1000; ++i) values.push_back(0.7 + 0.05 * numbers.normal());
+  for (int i = 0; i < 500; ++i) values.push_back(0.9 + 0.03 * numbers.normal());
+  return values;
+}
+
+// OpenCV draws from a generator of the thread; what was drawn before must not matter.
+TEST(ResidualRisk, MixtureDoesNotDependOnWhatTheThreadDrewBefore) {
+  const auto values = three_heaps();
+  const auto first = fitted_mixture(values, 2);
+  for (int i = 0; i < 20; ++i) {
+    (void)cv::theRNG().next();
+    const auto state = cv::theRNG().state;
+    const auto again = fitted_mixture(values, 2);
+    EXPECT_EQ(cv::theRNG().state, state);
+    ASSERT_EQ(again.size(), first.size());
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      EXPECT_EQ(again[k].mean, first[k].mean);
+      EXPECT_EQ(again[k].sigma, first[k].sigma);
+      EXPECT_EQ(again[k].share, first[k].share);
+    }
+  }
+}
+
+TEST(ResidualRisk, WorstComponentTellsTheSpreadOverStarts) {
+  const auto values = three_heaps();
+  const WorstComponent worst = worst_component(values, 2, 5);
+  EXPECT_LE(worst.lowest, worst.median);
+  EXPECT_LE(worst.median, worst.highest);
+  const double one = fitted_mixture(values, 2, 3).back().mean;
+  EXPECT_GE(one, worst.lowest);
+  EXPECT_LE(one, worst.highest);
 }
 
 TEST(ResidualRisk, RefusesBadInput) {

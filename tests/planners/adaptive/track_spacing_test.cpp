@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 
 #include "mesh/base/error.h"
@@ -114,6 +115,89 @@ TEST(TrackSpacing, AShortRangeIsAnsweredNotFatal) {
   EXPECT_TRUE(state.range_too_short);
   EXPECT_DOUBLE_EQ(state.good_range_m, 120.0);
   EXPECT_TRUE(next_track(state).has_value());
+}
+
+DetectionCurve good_to(double range) { return {{40, 70, range}, {0.3, 0.4, 0.1}}; }
+const DetectionCurve kDead{{40, 150}, {0.0, 0.0}};
+
+// Sails with curves by the number of the track.
+TrackSpacingState sailed(const TrackSpacingOptions& o,
+                         const std::function<SideCurves(int)>& curves) {
+  auto state = start_spacing(o);
+  while (const auto track = next_track(state)) {
+    state = observe(state, *track, curves(track->number));
+    if (state.sailed.size() > 200) break;
+  }
+  return state;
+}
+
+// What is really covered: each track by its own ranges.
+double really_uncovered_m(const TrackSpacingState& state,
+                          const std::function<SideCurves(int)>& curves) {
+  IntervalSet covered;
+  for (const SurveyTrack& t : state.sailed) {
+    const auto reach = [&](const DetectionCurve& curve) {
+      return admissible_range_m(curve, 0.05).value_or(0.0);
+    };
+    const SideCurves c = curves(t.number);
+    const bool port_back = t.outbound == state.options.port_looks_back;
+    covered.add({t.across_m - reach(port_back ? c.port : c.starboard), t.across_m - 40});
+    covered.add({t.across_m + 40, t.across_m + reach(port_back ? c.starboard : c.port)});
+  }
+  return state.options.width_m - covered.covered_m({0, state.options.width_m});
+}
+
+TEST(TrackSpacing, StripesOfADropOfRangeAreClosed) {
+  for (const double start : {130.0, 140.0, 150.0}) {
+    for (int from = 0; from < 7; ++from) {
+      const auto curves = [&](int track) {
+        const auto curve = good_to(track < from ? start : 124.0);
+        return SideCurves{curve, curve};
+      };
+      const auto state = sailed(spacing_options(start), curves);
+      EXPECT_FALSE(next_track(state).has_value());
+      EXPECT_NEAR(uncovered_m(state), really_uncovered_m(state, curves), 1e-6);
+      EXPECT_LT(uncovered_m(state), 5.0) << start << " " << from;
+      EXPECT_LE(state.sailed.size(), 10U) << start << " " << from;
+    }
+  }
+}
+
+TEST(TrackSpacing, ShortRangesOfTwoTracksAreSaidToTheEndAndCovered) {
+  const auto curves = [](int track) {
+    const auto curve = good_to(track < 2 ? 90.0 : 150.0);
+    return SideCurves{curve, curve};
+  };
+  const auto state = sailed(spacing_options(150), curves);
+  EXPECT_TRUE(state.range_too_short);
+  EXPECT_NEAR(uncovered_m(state), really_uncovered_m(state, curves), 1e-6);
+  EXPECT_LT(uncovered_m(state), 5.0);
+  // As published it goes on, but tells what it left.
+  const auto published = sailed(spacing_options(150, true, false), curves);
+  EXPECT_TRUE(published.range_too_short);
+  EXPECT_NEAR(uncovered_m(published), really_uncovered_m(published, curves), 1e-6);
+  EXPECT_GT(uncovered_m(published), 100.0);
+}
+
+TEST(TrackSpacing, ADeadSideIsToldFromALiveOne) {
+  for (const bool port_back : {true, false}) {
+    auto o = spacing_options(150);
+    o.port_looks_back = port_back;
+    const auto curves = [](int) { return SideCurves{good_to(150.0), kDead}; };
+    const auto state = sailed(o, curves);
+    EXPECT_TRUE(state.range_too_short);
+    EXPECT_DOUBLE_EQ(state.good_range_m, 120.0);  // the worse side's
+    EXPECT_NEAR(uncovered_m(state), really_uncovered_m(state, curves), 1e-6);
+    EXPECT_LT(uncovered_m(state), 5.0 * 12) << port_back;
+    EXPECT_LE(state.sailed.size(), 30U) << port_back;
+  }
+}
+
+TEST(TrackSpacing, ADeadSonarEndsTheSurveyAndCoversNothing) {
+  const auto state = sailed(spacing_options(150), [](int) { return SideCurves{kDead, kDead}; });
+  EXPECT_FALSE(next_track(state).has_value());
+  EXPECT_DOUBLE_EQ(uncovered_m(state), 1212.0);
+  EXPECT_LE(state.sailed.size(), 8U);
 }
 
 TEST(TrackSpacing, RefusesBadOptions) {
