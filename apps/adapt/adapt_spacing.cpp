@@ -85,16 +85,9 @@ std::vector<double> profile(const ResidualRiskMap& map) {
   return mean;
 }
 
-struct RiskFigures {
-  double mean = 0.0;
-  std::vector<MixtureComponent> mixture;
-  WorstComponent worst;  // over starts of the fit
-};
-RiskFigures risk_figures(const ResidualRiskMap& map, double border_m, int components) {
-  const auto values = looked_at(without_border(map, border_m));
+double mean_risk(const std::vector<double>& values) {
   const double sum = std::accumulate(values.begin(), values.end(), 0.0);
-  return {values.empty() ? 1.0 : sum / static_cast<double>(values.size()),
-          fitted_mixture(values, components), worst_component(values, components)};
+  return values.empty() ? 1.0 : sum / static_cast<double>(values.size());
 }
 
 OptionTable planner_options(SpacingCommand& c) {
@@ -157,7 +150,9 @@ void simulate(const SpacingCommand& c) {
   TrackSpacingOptions control = o;
   control.adapt = false;
   const SpacingMission reference = sail(control, world_of(c));
-  const RiskFigures risk = risk_figures(mission.risk, c.border_m, c.components);
+  const auto risks = looked_at(without_border(mission.risk, c.border_m));
+  const auto mixture = fitted_mixture(risks, c.components);
+  const WorstComponent worst = worst_component(risks, c.components);
   MissionOutput out = mission_output(box, mission.state.sailed, o.range_m, flat_depth_m(o.range_m),
                                      provenance(c, o, "simulate", true));
   out.planner = "spacing";
@@ -170,12 +165,12 @@ void simulate(const SpacingCommand& c) {
                  {"uncovered_pct", 100.0 * uncovered_share(mission.risk)},
                  {"uncovered_inside_border_pct",
                   100.0 * uncovered_share(without_border(mission.risk, c.border_m))},
-                 {"mean_risk", risk.mean},
-                 {"worst_component_mean_risk", risk.worst.median},
-                 {"worst_component_mean_risk_lowest", risk.worst.lowest},
-                 {"worst_component_mean_risk_highest", risk.worst.highest},
-                 {"worst_component_sigma", risk.mixture.back().sigma},
-                 {"worst_component_share", risk.mixture.back().share}};
+                 {"mean_risk", mean_risk(risks)},
+                 {"worst_component_mean_risk", worst.median},
+                 {"worst_component_mean_risk_lowest", worst.lowest},
+                 {"worst_component_mean_risk_highest", worst.highest},
+                 {"worst_component_sigma", mixture.back().sigma},
+                 {"worst_component_share", mixture.back().share}};
   if (mission.state.range_too_short) {
     out.notes.push_back(
         fmt::format("data was good to less than 3 r_n = {:g} m: paired tracks "
@@ -206,6 +201,9 @@ void simulate(const SpacingCommand& c) {
   write_flat_mission(c.output, out, box, o.range_m);
 }
 
+// Of the fits in a study, whose missions tell the spread themselves.
+constexpr int kStudyStarts = 3;
+
 constexpr std::array<double, 4> kTrueRanges{120.0, 130.0, 140.0, 150.0};
 
 // The example curve stretched beyond its peak so that it reaches the threshold at `range`.
@@ -230,12 +228,12 @@ std::vector<double> study_cell(const SpacingCommand& c, std::size_t cell, std::s
       o.range_m = start;
       o.adapt = adapt;
       const auto mission = sail(o, world);
-      const auto risk = risk_figures(mission.risk, c.border_m, c.components);
+      const auto risks = looked_at(without_border(mission.risk, c.border_m));
       const std::size_t at = adapt ? 4 : 0;
       sums[at] += static_cast<double>(mission.state.sailed.size());
       sums[at + 1] += 100.0 * uncovered_share(mission.risk);
-      sums[at + 2] += risk.mean;
-      sums[at + 3] += risk.worst.median;
+      sums[at + 2] += mean_risk(risks);
+      sums[at + 3] += worst_component(risks, c.components, kStudyStarts, false).median;
     }
   }
   std::vector<double> row{range, start};

@@ -156,6 +156,159 @@ TEST(AdaptLive, AMissingImageIsAnswered) {
   EXPECT_THAT(outcome.lines[2], HasSubstr(R"("track":1)"));
 }
 
+// A flat bottom as a grid of 5 m.
+void write_flat_grid(const std::filesystem::path& file, int columns, int rows) {
+  std::ofstream out(file);
+  out << "ncols " << columns << "\nnrows " << rows
+      << "\nxllcorner 0\nyllcorner 0\ncellsize 5\nNODATA_value -9999\n";
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < columns; ++c) out << (c > 0 ? " " : "") << "-20";
+    out << "\n";
+  }
+}
+
+std::vector<std::string> places_across(const std::vector<std::string>& lines) {
+  std::vector<std::string> result;
+  for (const std::string& line : lines) {
+    const auto at = line.find("\"across_m\":");
+    if (at != std::string::npos) result.push_back(line.substr(at, line.find(',', at) - at));
+  }
+  return result;
+}
+
+// Images of `simulate` lead `live` along the same tracks, over empty ground and with objects.
+TEST(AdaptLive, ImagesOfSimulateAreSailedAlike) {
+  const auto folder = scratch("live-images");
+  write_flat_grid(folder / "flat.asc", 50, 22);
+  for (const char* rule : {"basic", "bounded"}) {
+    const std::string shape = "--width 200 --length 60 --spacing 40 --nadir-gap 5 --rule " +
+                              std::string(rule) + " --pixel 0.2 -o " + folder.string();
+    const auto sim = run("accordion simulate " + (folder / "flat.asc").string() +
+                         " --corner 20,20 --objects 0 --ping-spacing 0.4 --quiet " + shape);
+    ASSERT_EQ(sim.code, 0) << (sim.lines.empty() ? "" : sim.lines[0]);
+    const std::string journal = contents(folder / "mission.json");
+    std::string messages;
+    std::size_t images = 0;
+    for (; images < 20; ++images) {
+      std::ostringstream name;
+      name << "waterfall-00" << images << ".png";
+      if (images > 9 || !std::filesystem::exists(folder / name.str())) break;
+      messages += "{\"track\":" + std::to_string(images) + ",\"image\":\"" +
+                  (folder / name.str()).string() + "\",\"nadir\":\"clear\"}\n";
+    }
+    EXPECT_THAT(journal, HasSubstr("\"tracks\": " + std::to_string(images)));
+    const auto live = run("accordion live --row 0.4 " + shape, messages);
+    ASSERT_EQ(live.lines.size(), images + 1) << rule;
+    EXPECT_THAT(live.lines.back(), HasSubstr(R"("type":"done")"));
+    EXPECT_EQ(places_across(live.lines).size(), images);
+    // Without a gap filler the strips below the tracks are not taken for seen.
+    std::string blind = messages;
+    for (auto at = blind.find(",\"nadir\":\"clear\""); at != std::string::npos;
+         at = blind.find(",\"nadir\":\"clear\"")) {
+      blind.erase(at, std::string(",\"nadir\":\"clear\"").size());
+    }
+    const auto unfilled = run("accordion live --row 0.4 " + shape, blind);
+    EXPECT_THAT(unfilled.lines.back(), testing::Not(HasSubstr(R"("type":"done")"))) << rule;
+    for (std::size_t i = 0; i < images; ++i) {
+      std::ostringstream name;
+      name << "waterfall-00" << i << ".png";
+      std::filesystem::remove(folder / name.str());
+    }
+  }
+}
+
+TEST(AdaptLive, ImagesAndMapsMustSpanTrackAndStrip) {
+  const auto folder = scratch("live-span");
+  const std::string options = "accordion live " + (kSmall + folder.string());
+  const auto outcome = run(
+      options,
+      R"({"track":0,"port":{"step_m":50,"row_m":1,"rows":[[0.1]]},"starboard":{"step_m":50,"rows":[[0.1]]}})"
+      "\n"
+      R"({"track":0,"port":{"first_m":49,"step_m":1,"rows":[[0.1]]},"starboard":{"step_m":50,"rows":[[0.1]]}})"
+      "\n" +
+          cost(0, 0.1));
+  ASSERT_EQ(outcome.lines.size(), 4U);
+  EXPECT_THAT(outcome.lines[1], HasSubstr("span 1 m along the track"));
+  EXPECT_THAT(outcome.lines[2], HasSubstr("begins 49 m from the track"));
+  EXPECT_THAT(outcome.lines[3], HasSubstr(R"("track":1)"));
+}
+
+TEST(AdaptLive, AnObservationWithRepeatIsTaken) {
+  const auto folder = scratch("live-repeat");
+  std::string first = cost(0, 0.1);
+  first.insert(1, "\"repeat\":true,");
+  const auto outcome =
+      run("accordion live " + (kSmall + folder.string()), first + first + cost(1, 0.1));
+  ASSERT_EQ(outcome.lines.size(), 4U);
+  EXPECT_THAT(outcome.lines[1], HasSubstr(R"("track":1)"));
+  EXPECT_EQ(outcome.lines[2], outcome.lines[1]);  // it was taken already
+  EXPECT_THAT(outcome.lines[3], HasSubstr(R"("track":2)"));
+}
+
+TEST(AdaptLive, SpacingTellsADeadSide) {
+  const auto folder = scratch("live-sides");
+  const std::string alive = R"({"curve":{"range_m":[40,70,150],"p":[0.2,0.5,0.1]}})";
+  const std::string dead = R"({"curve":{"range_m":[40,150],"p":[0,0]}})";
+  std::string input;
+  for (int i = 0; i < 40; ++i) {
+    input +=
+        "{\"track\":" + std::to_string(i) + ",\"port\":" + alive + ",\"starboard\":" + dead + "}\n";
+  }
+  const auto outcome = run("spacing live --range 150 -o " + folder.string(), input);
+  const auto done = std::find_if(outcome.lines.begin(), outcome.lines.end(), [](const auto& l) {
+    return l.find("\"done\"") != std::string::npos;
+  });
+  ASSERT_NE(done, outcome.lines.end());
+  EXPECT_THAT(*done, HasSubstr(R"("range_too_short":true)"));
+  EXPECT_THAT(*done, HasSubstr(R"("uncovered_pct":)"));
+  const auto half =
+      run("spacing live -o " + folder.string(), "{\"track\":0,\"port\":" + alive + "}\n");
+  EXPECT_THAT(half.lines.at(1), HasSubstr("'starboard' not found"));
+}
+
+TEST(AdaptLive, ADeadSonarEndsWithNothingGained) {
+  const auto folder = scratch("live-dead");
+  std::string input;
+  for (int i = 0; i < 30; ++i) {
+    input += "{\"track\":" + std::to_string(i) +
+             R"(,"port":[0,0,0,0,0,0,0,0,0,0,0],"starboard":[0,0,0,0,0,0,0,0,0,0,0]})" + "\n";
+  }
+  const auto outcome = run("quality live --width 600 --length 300 -o " + folder.string(), input);
+  EXPECT_THAT(outcome.lines.at(8), HasSubstr(R"("status":"nothing gained")"));
+}
+
+TEST(AdaptCommand, NarrowSwathsNeedNoOptimum) {
+  const auto folder = scratch("narrow");
+  const auto outcome =
+      run("quality simulate --swath 2.5 --width 500 --length 300 -o " + folder.string());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(contents(folder / "mission.json"), testing::Not(HasSubstr("optimal_tracks")));
+}
+
+TEST(AdaptCommand, RoutesThroughNoGoAreasAreMarkedInfeasible) {
+  const auto folder = scratch("no-go");
+  write_flat_grid(folder / "flat.asc", 50, 22);
+  std::ofstream(folder / "no-go.geojson")
+      << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)"
+      << R"({"type":"Polygon","coordinates":[[[15,40],[25,40],[25,50],[15,50],[15,40]]]}}]})";
+  const std::string simulate =
+      "accordion simulate " + (folder / "flat.asc").string() +
+      " --corner 20,20 --objects 0 --width 200 --length 60 --spacing 40 --pixel 0.4 "
+      "--ping-spacing 0.5 --quiet -o " +
+      folder.string();
+  const auto outcome = run(simulate + " --no-go " + (folder / "no-go.geojson").string());
+  ASSERT_EQ(outcome.code, 0) << (outcome.lines.empty() ? "" : outcome.lines[0]);
+  EXPECT_THAT(contents(folder / "mission.json"), HasSubstr("10 m of the route lead through"));
+  EXPECT_THAT(contents(folder / "score.json"), HasSubstr(R"("infeasible_m": 10)"));
+  EXPECT_THAT(contents(folder / "route.csv"), HasSubstr("infeasible"));
+  const auto area = run(simulate + " --area " + (folder / "no-go.geojson").string());
+  EXPECT_EQ(area.code, 2);
+  EXPECT_THAT(area.lines.at(0), HasSubstr("--area; the box is the survey area"));
+  const auto abstract = run("accordion simulate --no-go x.geojson");
+  EXPECT_EQ(abstract.code, 2);
+  EXPECT_THAT(abstract.lines.at(0), HasSubstr("--no-go; an abstract world"));
+}
+
 TEST(AdaptCommand, BadOptionsAreUsageErrors) {
   for (const char* arguments :
        {"spacing simulate --range 100", "spacing simulate --width 20",
@@ -195,9 +348,15 @@ TEST(AdaptStudy, ResumesToTheSameResult) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 148);
   EXPECT_EQ(contents(torn / "accordion-basic.csv"), csv);
   EXPECT_TRUE(std::filesystem::exists(torn / "accordion-basic.png"));
-  const auto other = run(study + "2 --seed 2 -o " + torn.string());
-  EXPECT_EQ(other.code, 2);
-  EXPECT_THAT(other.lines.at(0), HasSubstr("other settings"));
+  for (const char* setting : {"--seed 2", "--nadir-gap 5", "--clearance 2", "--spacing 40"}) {
+    const auto other = run(study + "2 " + setting + " -o " + torn.string());
+    EXPECT_EQ(other.code, 2) << setting;
+    EXPECT_THAT(other.lines.at(0), HasSubstr("other settings")) << setting;
+  }
+  // It makes its own areas.
+  for (const char* unused : {"--width 500", "--length 500", "--threshold 1"}) {
+    EXPECT_EQ(run(study + "2 " + unused + " -o " + torn.string()).code, 2) << unused;
+  }
 }
 
 // Killed in the midst of its work, as by a power cut: nothing but finished cells is left, and the

@@ -132,9 +132,9 @@ void check_heights(const AccordionObservation& observation, const NadirHeights& 
   const int rows = (heights.rows + per_row - 1) / per_row;
   if (rows != observation.back.rows || rows != observation.ahead.rows) {
     throw InvalidInput(
-        fmt::format("nadir heights of {} pings, of which the cost maps have {} rows and not {}; "
+        fmt::format("nadir heights of {} pings make {} rows and not {}; "
                     "give one row of heights per ping of the image",
-                    heights.rows, observation.back.rows, rows));
+                    heights.rows, rows, observation.back.rows));
   }
 }
 

@@ -22,10 +22,12 @@ constexpr std::array<std::pair<GapConstraint, std::string_view>, 3> kNames{{
 
 // Rates are ratios of small integers, so rates closer than this are equal.
 constexpr double kSameRate = 1e-9;
-// A survey ends after this many tracks in a row without a new swath. After the first of them each
+// A survey ends after this many tracks in a row without a new swath. After the second of them each
 // range bin is judged anew, so a sonar that still works has covered something long before.
-constexpr int kVainInARow = 8;
-// So often may a line be sailed in one direction without covering anything new; in a row only once.
+constexpr std::size_t kVainInARow = 8;
+// One vain track may be bad luck. From so many in a row on, the past is no guide any more.
+constexpr std::size_t kVainToChange = 2;
+// So often may such tracks take the same line in one direction.
 constexpr std::ptrdiff_t kVainOnALine = 2;
 
 double required_probability(GapConstraint constraint) {
@@ -64,11 +66,9 @@ SideRates rates_of(const QualitySurveyState& state) {
 }
 
 bool tried_enough(const QualitySurveyState& state, double across_m, bool outbound) {
-  const auto same = [&](const SurveyTrack& t) {
-    return t.outbound == outbound && std::abs(t.across_m - across_m) < 1e-6;
-  };
-  return std::any_of(state.vain.end() - state.vain_in_a_row, state.vain.end(), same) ||
-         std::count_if(state.vain.begin(), state.vain.end(), same) >= kVainOnALine;
+  return std::count_if(state.vain.begin(), state.vain.end(), [&](const SurveyTrack& t) {
+           return t.outbound == outbound && std::abs(t.across_m - across_m) < 1e-6;
+         }) >= kVainOnALine;
 }
 
 std::vector<Candidate> candidates(const QualitySurveyState& state, bool outbound, int gap) {
@@ -114,6 +114,7 @@ void note_side(QualitySurveyState& state, const SurveyTrack& track, bool port,
   const QualitySurveyOptions& o = state.options;
   const bool back = port == (track.outbound == o.port_looks_back);
   std::vector<int>& good = port ? state.good_port : state.good_starboard;
+  for (int& counted : port ? state.counted_port : state.counted_starboard) ++counted;
   for (int bin = 0; bin < static_cast<int>(correlation.size()); ++bin) {
     if (correlation[static_cast<std::size_t>(bin)] < o.quality) continue;
     ++good[static_cast<std::size_t>(bin)];
@@ -121,6 +122,18 @@ void note_side(QualitySurveyState& state, const SurveyTrack& track, bool port,
     if (swath >= 0 && swath < static_cast<int>(state.covered.size())) {
       state.covered[static_cast<std::size_t>(swath)] = 1;
     }
+  }
+}
+
+// Bins that were thought good and failed now are counted from this track on.
+void doubt_failures(QualitySurveyState& state, bool port, const std::vector<double>& correlation) {
+  std::vector<int>& good = port ? state.good_port : state.good_starboard;
+  std::vector<int>& counted = port ? state.counted_port : state.counted_starboard;
+  for (std::size_t bin = 0; bin < correlation.size(); ++bin) {
+    const bool thought_good = 3 * (good[bin] + 1) > counted[bin] + 2;  // above one of one failed
+    if (correlation[bin] >= state.options.quality || !thought_good) continue;
+    good[bin] = 0;
+    counted[bin] = 1;
   }
 }
 
@@ -173,13 +186,16 @@ QualitySurveyState start_survey(const QualitySurveyOptions& options) {
   state.covered.assign(static_cast<std::size_t>(swath_count(options)), 0);
   state.good_port.assign(bins, 0);
   state.good_starboard.assign(bins, 0);
+  state.counted_port.assign(bins, 0);
+  state.counted_starboard.assign(bins, 0);
   return state;
 }
 
 double success_rate(const QualitySurveyState& state, bool port, int bin) {
   const auto i = static_cast<std::size_t>(bin);
   const int good = port ? state.good_port[i] : state.good_starboard[i];
-  return (good + 1.0) / (state.counted + 2.0);
+  const int counted = port ? state.counted_port[i] : state.counted_starboard[i];
+  return (good + 1.0) / (counted + 2.0);
 }
 
 double transit_cost(const QualitySurveyOptions& options, double from_m, double to_m) {
@@ -192,7 +208,7 @@ double covered_share(const QualitySurveyState& state) {
   return static_cast<double>(count) / static_cast<double>(state.covered.size());
 }
 
-bool nothing_gained(const QualitySurveyState& state) { return state.vain_in_a_row >= kVainInARow; }
+bool nothing_gained(const QualitySurveyState& state) { return state.vain.size() >= kVainInARow; }
 
 std::optional<SurveyTrack> next_track(const QualitySurveyState& state) {
   const auto gap = std::find(state.covered.begin(), state.covered.end(), 0);
@@ -201,7 +217,8 @@ std::optional<SurveyTrack> next_track(const QualitySurveyState& state) {
   const int number = static_cast<int>(state.sailed.size());
   const bool outbound = number % 2 == 0;
   auto list = candidates(state, outbound, static_cast<int>(gap - state.covered.begin()));
-  keep_allowed(list, state.options.constraint);
+  keep_allowed(
+      list, state.vain.size() >= kVainToChange ? GapConstraint::strong : state.options.constraint);
   std::optional<SurveyTrack> best;
   double best_utility = 0.0;
   for (const Candidate& c : list) {
@@ -224,23 +241,17 @@ QualitySurveyState observe(QualitySurveyState state, const SurveyTrack& track,
   check_side(observation.port, bins, track.number, "port");
   check_side(observation.starboard, bins, track.number, "starboard");
   const auto before = std::count(state.covered.begin(), state.covered.end(), 1);
-  const std::vector<int> old_port = state.good_port;
-  const std::vector<int> old_starboard = state.good_starboard;
   note_side(state, track, true, observation.port);
   note_side(state, track, false, observation.starboard);
-  ++state.counted;
   state.sailed.push_back(track);
   if (std::count(state.covered.begin(), state.covered.end(), 1) > before) {
-    state.vain_in_a_row = 0;
+    state.vain.clear();
     return state;
   }
   state.vain.push_back(track);
-  if (++state.vain_in_a_row > 1) return state;
-  for (std::size_t bin = 0; bin < bins; ++bin) {
-    state.good_port[bin] -= old_port[bin];
-    state.good_starboard[bin] -= old_starboard[bin];
-  }
-  state.counted = 1;
+  if (state.vain.size() != kVainToChange) return state;
+  doubt_failures(state, true, observation.port);
+  doubt_failures(state, false, observation.starboard);
   return state;
 }
 

@@ -49,15 +49,15 @@ struct QualitySurveyState {
   std::vector<SurveyTrack> sailed;
   std::vector<char> covered;  ///< per swath: 1 once good data is there (the paper's first 'gamma')
   std::vector<int> good_port, good_starboard;  ///< per range bin: tracks that gave good data
-  int counted = 0;  ///< tracks behind these counts; they begin anew where the sonar has changed
-  std::vector<SurveyTrack> vain;  ///< tracks that covered nothing new
-  int vain_in_a_row = 0;          ///< the last so many tracks covered nothing new
+  /// Tracks behind these counts. A bin's counts begin anew where the sonar has changed.
+  std::vector<int> counted_port, counted_starboard;
+  std::vector<SurveyTrack> vain;  ///< the last tracks, as far as they covered nothing new
 };
 [[nodiscard]] QualitySurveyState start_survey(const QualitySurveyOptions& options);
 
 /// Expected success rate of a range bin: (good + 1) / (tracks + 2), the mean of the Beta posterior
-/// with a flat prior. A track that covers nothing new shows that the past says little about today's
-/// sonar, so the counts begin anew with it.
+/// with a flat prior. Two tracks in a row that cover nothing new show that the past says little
+/// about today's sonar: the bins that failed on the second are then counted from this track on.
 [[nodiscard]] double success_rate(const QualitySurveyState& state, bool port, int bin);
 /// Transit cost of a track at `to` after one at `from`: (d / omega - 1)^2.
 [[nodiscard]] double transit_cost(const QualitySurveyOptions& options, double from_m, double to_m);
@@ -72,9 +72,9 @@ struct QualitySurveyState {
 /// constraint allows. Tracks lie on the grid of swath edges inside the area. Of equal tracks the
 /// one nearest the start edge is taken. Where no track meets the constraint (before anything is
 /// known, or after failures), those with the highest probability of covering the first uncovered
-/// swath compete. A line that was sailed twice in the same direction without covering anything new
-/// is not sailed again. Empty when all is covered, when no track can cover more, or when
-/// nothing_gained().
+/// swath compete. After two tracks in a row that covered nothing new, the strong constraint holds.
+/// Among such tracks no line is sailed more than twice in the same direction. Empty when all is
+/// covered, when no track can cover more, or when nothing_gained().
 [[nodiscard]] std::optional<SurveyTrack> next_track(const QualitySurveyState& state);
 
 /// The state after `track` was sailed.

@@ -148,7 +148,8 @@ std::vector<MixtureComponent> fitted_mixture(std::span<const double> values, int
   return result;
 }
 
-WorstComponent worst_component(std::span<const double> values, int count, int starts) {
+WorstComponent worst_component(std::span<const double> values, int count, int starts,
+                               bool neighbours) {
   const auto means = [&](int components) {
     std::vector<double> result;
     for (int i = 1; i <= std::max(1, starts); ++i) {
@@ -161,7 +162,7 @@ WorstComponent worst_component(std::span<const double> values, int count, int st
   const std::vector<double> asked = means(count);
   WorstComponent worst{asked[asked.size() / 2], asked.front(), asked.back()};
   for (const int other : {count - 1, count + 1}) {
-    if (other < 2 || values.size() < 10 * static_cast<std::size_t>(other)) continue;
+    if (!neighbours || other < 2 || values.size() < 10 * static_cast<std::size_t>(other)) continue;
     const std::vector<double> list = means(other);
     worst.lowest = std::min(worst.lowest, list.front());
     worst.highest = std::max(worst.highest, list.back());

@@ -51,14 +51,14 @@ struct MixtureComponent {
 
 /// Means of the rightmost component over several fits.
 struct WorstComponent {
-  double median = 0.0;  ///< over the starts, with the number of components asked for
-  double lowest = 0.0,
-         highest = 0.0;  ///< over the starts, with one component less and more as well
+  double median = 0.0;                 ///< over the starts, with the number of components asked for
+  double lowest = 0.0, highest = 0.0;  ///< over all fits
 };
-/// Fits from `starts` starts with `count` components, and with one less (but two at least) and one
-/// more. Where the means lie far apart the data do not tell one optimum from another, and none may
-/// be quoted alone. @throws InvalidInput if there are fewer values than ten per component.
+/// Fits from `starts` starts with `count` components. With `neighbours` it fits with one component
+/// less (but two at least) and with one more as well. Where the means lie far apart the data do not
+/// tell one optimum from another, and none may be quoted alone.
+/// @throws InvalidInput if there are fewer values than ten per component.
 [[nodiscard]] WorstComponent worst_component(std::span<const double> values, int count,
-                                             int starts = 9);
+                                             int starts = 9, bool neighbours = true);
 
 }  // namespace swathplan

@@ -6,6 +6,7 @@
 #include "mesh/base/error.h"
 #include "mesh/synthetic.h"
 #include "planners/adaptive/accordion_scan.h"
+#include "planners/message_of.h"
 
 namespace swathplan {
 namespace {
@@ -69,6 +70,22 @@ TEST(CostMap, NadirHeightsFillTheMiddle) {
   fill_nadir(observation, heights, true, {});
   EXPECT_GT(largest(observation.ahead, 10, 16), 1.0F);
   EXPECT_LT(largest(observation.back, 0, 20), 0.5F);
+}
+
+TEST(CostMap, TheNadirGapIsBlindUntilItIsFilled) {
+  AccordionObservation observation = cost_maps(even_image(), true, {});
+  EXPECT_DOUBLE_EQ(observation.back.blind_m, 2.0);
+  EXPECT_DOUBLE_EQ(observation.ahead.along_m, 40.0);
+  const auto refusal = [&](const NadirHeights& heights) {
+    return message_of<InvalidInput>([&] { fill_nadir(observation, heights, true, {}); });
+  };
+  EXPECT_THAT(refusal({100, 40, 0.1, 0.2, std::vector<float>(4000, -30.0F)}), HasSubstr("4 rows"));
+  EXPECT_THAT(refusal({200, 41, 0.1, 0.2, std::vector<float>(8200, -30.0F)}), HasSubstr("even"));
+  fill_nadir(observation, {200, 20, 0.1, 0.2, std::vector<float>(4000, -30.0F)}, true, {});
+  EXPECT_DOUBLE_EQ(observation.back.blind_m, 2.0);  // looked at to 1 m only
+  fill_nadir(observation, {200, 40, 0.1, 0.2, std::vector<float>(8000, -30.0F)}, true, {});
+  EXPECT_DOUBLE_EQ(observation.back.blind_m, 0.0);
+  EXPECT_DOUBLE_EQ(observation.ahead.blind_m, 0.0);
 }
 
 TEST(CostMap, RefusesBadImages) {
