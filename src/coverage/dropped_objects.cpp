@@ -7,7 +7,7 @@ namespace swathplan {
 namespace {
 
 constexpr double kSunk = 0.05;
-constexpr int kAround = 24;  // facets of a round body: 2 cm off the circle at a metre's radius
+constexpr int kAround = 24;  // facets of a round body: 1 cm off the circle at a metre's radius
 
 // A grid of points, bottom ring first, closed at both ends by a fan around its centre.
 void add_rings(Seafloor& mesh, const std::vector<std::vector<Vec3>>& rings) {

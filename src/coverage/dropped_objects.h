@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "mesh/seafloor.h"
@@ -19,12 +17,17 @@ struct DroppedObject {
   Angle heading = {};        ///< of that axis, clockwise from north
 };
 
-/// The object's top and outermost points, local metres: what a sonar has to see of it.
+/// The highest point of the object, local metres: what a sonar has to see of it. The surface that
+/// `with_objects` makes of a sphere ends 1.7 % of its diameter below this point.
 [[nodiscard]] Vec3 top(const DroppedObject& object);
 
-/// The seafloor with the objects' surfaces added, each a closed body sunk 5 cm into the bottom.
-/// Below their widest level spheres and cylinders go straight down: no overhang, and the same
-/// shadow from a sonar above them.
+/// The seafloor with the surfaces of the objects added. Each is a closed body whose flat underside
+/// lies 5 cm below its base point, so on a steep slope an edge of it can stand clear of the bottom.
+/// Below their widest level spheres and cylinders go straight down, without an overhang. Seen from
+/// above that level their shadow ends where that of the true shape ends. On the sonar's side the
+/// bottom below the widest level is hidden, where the true shape would leave some of it in sight.
+/// The result is for tracing rays only: it is not repaired, and undersides look down.
+/// Sizes are not checked.
 [[nodiscard]] Seafloor with_objects(const Seafloor& seafloor,
                                     const std::vector<DroppedObject>& objects);
 

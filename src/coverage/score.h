@@ -16,7 +16,8 @@ struct ScoreOptions {
   double resolution_m = 0.10;
   double ping_spacing_m = 0.10;  ///< > 0
   double holiday_m2 = 0.0;       ///< list holidays of at least this
-  Nodata nodata = Nodata::wall;  ///< for the record: the scene was built with it
+  /// Not read by `score`: callers that build the scene from these options build it with this.
+  Nodata nodata = Nodata::wall;
   TrackNoise noise;
   bool footprint = true;  ///< also score beam footprints
   /// Of each side of a swath, from nadir out, this share counts, (0, 1]; beams beyond it are not
@@ -35,12 +36,13 @@ struct CoverageFigures {
                                         ///< where footprints are not scored
 };
 
-/// Every figure of design contract 'Scoring'.
+/// What a route covers. Only `all` and `logged` tell all pings from those of logged legs; overlap,
+/// several_legs_pct, the counts and the holidays are of all pings.
 struct Score {
   CoverageFigures all, logged;
   double overlap = 0.0;                              ///< mean soundings per covered cell, less 1
   double several_legs_pct = 0.0;                     ///< cells seen by two or more different legs
-  std::uint64_t cells = 0;                           ///< that count
+  std::uint64_t cells = 0;                           ///< of the grid that lie in the survey area
   std::uint64_t pings = 0, rays = 0, soundings = 0;  ///< soundings: hits inside the area
   double survey_area_m2 = 0.0;
   double footprint_width_m = 0.0;  ///< W
