@@ -80,6 +80,10 @@ OptionTable site_options(SiteOptions& o, bool with_file) {
           "--longest-edge", kSeafloorGroup, o.longest_edge_m, kMetres, above(0.0),
           "Soundings: leave out triangles with a longer edge, metres (default: from their spacing)",
           "longest_edge_m"),
+      text("--columns", kSeafloorGroup, o.columns,
+           "Soundings: which columns are meant, by number or name, as x=3,y=2,z=5 or "
+           "lon=2,lat=1,depth=DEPTH (default: from their names)",
+           "columns"),
       real("--nodata-value", kSeafloorGroup, o.nodata_value, kNoUnit, any_number(),
            "A further z that means 'no data'", "nodata_value"),
       path("--area", kSeafloorGroup, o.area,

@@ -14,7 +14,7 @@ namespace swathplan {
 /// How the seafloor file is read and what bounds the survey.
 struct SiteOptions {
   std::filesystem::path file;
-  std::string crs;
+  std::string crs, columns;
   double water_level_m = 0.0;
   std::string z_positive = "up";
   double z_unit_m = 1.0;

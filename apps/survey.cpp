@@ -223,6 +223,7 @@ ImportOptions import_options(const SiteOptions& o) {
   result.xy_unit_m = o.xy_unit_m;
   result.longest_edge_m = o.longest_edge_m;
   result.nodata = o.nodata_value;
+  result.columns = o.columns;
   result.layer = fmt::format("{}", fmt::join(o.layers, ","));
   return result;
 }

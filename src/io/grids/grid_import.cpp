@@ -4,6 +4,7 @@
 #include <gdal_priv.h>
 
 #include <cmath>
+#include <string_view>
 
 #include "io/files/gdal_at_home.h"
 #include "io/files/quiet_gdal.h"
@@ -86,7 +87,8 @@ void warn_of_grey_picture(GDALRasterBand& band, SurfaceData& data) {
 bool is_grid(const fs::path& path) {
   const QuietGdal quiet;
   register_gdal();
-  return GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, nullptr, nullptr) != nullptr;
+  const GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
+  return driver != nullptr && std::string_view(GDALGetDriverShortName(driver)) != "XYZ";
 }
 
 SurfaceData read_grid(const fs::path& path, std::optional<double> nodata,

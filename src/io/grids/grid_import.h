@@ -9,7 +9,8 @@
 
 namespace swathplan {
 
-/// True if GDAL recognises the file as a raster.
+/// True if GDAL recognises the file as a raster. Rows of x, y, z are none, whatever the file's
+/// extension: they are read as soundings.
 [[nodiscard]] bool is_grid(const std::filesystem::path& path);
 
 /// Reads one band of a raster: the first one, or that which `layer` names. Nodes are the cell

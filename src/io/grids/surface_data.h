@@ -18,7 +18,8 @@ struct SurfaceData {
   std::string format;                               ///< for people: 'GTiff', 'OBJ', ...
   bool is_clean = false;    ///< faces join edge to edge by construction: no repair needed
   bool z_is_depth = false;  ///< the file says that z is positive down (a 'depth' column)
-  std::optional<double> z_unit_m = {};  ///< metres in one unit of z, where the file says so
+  std::optional<double> z_unit_m = {};   ///< metres in one unit of z, where the file says so
+  std::optional<double> xy_unit_m = {};  ///< metres in one unit of x and y, where columns say so
   double spacing = 0.0;     ///< typical distance between neighbouring nodes, file units; 0: unknown
   double float_step = 0.0;  ///< rounding step of the largest coordinate, where stored in 32 bits
   std::vector<std::string> notes, warnings;

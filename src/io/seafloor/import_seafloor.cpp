@@ -15,10 +15,12 @@
 #include "io/grids/grid_import.h"
 #include "io/grids/las_import.h"
 #include "io/grids/point_layers.h"
-#include "io/seafloor/lattice_internal.h"
 #include "io/seafloor/mesh_import.h"
-#include "io/seafloor/soundings_import.h"
 #include "io/seafloor/true_scale.h"
+#include "io/soundings/geographic_points.h"
+#include "io/soundings/lattice.h"
+#include "io/soundings/sounding_columns.h"
+#include "io/soundings/soundings_import.h"
 #include "mesh/base/error.h"
 #include "mesh/water_level.h"
 
@@ -37,6 +39,7 @@ constexpr double kMetresPerDegree = 111'320.0;
 constexpr double kLossyStep = 1e-3;
 
 void check_options(const ImportOptions& options) {
+  (void)parse_columns(options.columns);
   const auto positive = [](const char* name, double value) {
     if (!(value > 0.0) || !std::isfinite(value)) {
       throw UsageError(name, fmt::format("{}", value), "must be a finite number above 0");
@@ -67,6 +70,26 @@ void check_file(const fs::path& path) {
   }
 }
 
+/// Text that readers of plain text would take for something else.
+void refuse_other_encodings(const fs::path& path) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  std::array<char, 512> head{};
+  std::ifstream in(path, std::ios::binary);
+  in.read(head.data(), head.size());
+  const std::string_view text(head.data(), static_cast<std::size_t>(in.gcount()));
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    throw InvalidInput(
+        fmt::format("'{}' is text in UTF-16; save it as plain text (UTF-8)", path.string()));
+  }
+  if (text.starts_with(kByteOrderMark) &&
+      lower(trim(text.substr(kByteOrderMark.size()))).starts_with("ncols")) {
+    throw InvalidInput(fmt::format(
+        "'{}' is an Esri ASCII grid that begins with a byte-order mark (three bytes before "
+        "'ncols'); save it without (as UTF-8 without BOM)",
+        path.string()));
+  }
+}
+
 bool starts_like_text(const fs::path& path, std::string_view word) {
   std::array<char, 512> head{};
   std::ifstream in(path, std::ios::binary);
@@ -82,6 +105,7 @@ std::string kind_of(const fs::path& path) {
   const std::string extension = lower(path.extension().string());
   if (is_mesh_extension(extension)) return "mesh";
   refuse_foreign(path);
+  refuse_other_encodings(path);
   if (is_las(path)) return "lidar";
   if (is_point_file(path)) return "points";
   constexpr std::array kSoundings = {".xyz", ".csv", ".txt", ".pts", ".dat"};
@@ -107,7 +131,17 @@ SurfaceData read(const fs::path& path, const std::string& kind, const ImportOpti
     return data;
   }
   if (kind == "lidar") return read_las(path, down);
-  return read_soundings(path, down, options.nodata);
+  return read_soundings(path, {.z_positive_down = down,
+                               .nodata = options.nodata,
+                               .columns = options.columns,
+                               .z_unit_is_given = options.z_unit_m != 1.0});
+}
+
+/// Soundings of which only the options say that they are in degrees.
+void mend_degrees(SurfaceData& data, const ImportOptions& options, const std::string& kind) {
+  if (kind != "soundings") return;
+  const std::string crs = options.crs.empty() ? data.crs_wkt : parse_crs(options.crs);
+  if (is_geographic(crs) && mend_geographic_points(data) && data.faces.empty()) join_lattice(data);
 }
 
 void note_extent(const SurfaceData& data, ImportedSeafloor& result) {
@@ -129,6 +163,21 @@ bool fits_degrees(const ImportedSeafloor& r) {
          r.raw_max.y() <= 90.0;
 }
 
+/// Degrees in either order.
+bool may_be_degrees(const ImportedSeafloor& r) {
+  return fits_degrees(r) || (r.raw_min.y() >= -360.0 && r.raw_max.y() <= 360.0 &&
+                             r.raw_min.x() >= -90.0 && r.raw_max.x() <= 90.0);
+}
+
+/// Soundings far from the origin beside their extent, and far deeper than that extent. Local metres
+/// begin near the origin.
+bool is_steeper_than_metres(const ImportedSeafloor& r, double highest) {
+  const double size = (r.raw_max - r.raw_min).norm();
+  const Vec2 middle = 0.5 * (r.raw_min + r.raw_max);
+  return r.kind == "soundings" && may_be_degrees(r) && highest > 2.0 * size &&
+         middle.cwiseAbs().minCoeff() > 2.0 * size;
+}
+
 /// True if nodes lie a few hundredths of a unit apart: too fine for metres.
 bool is_finer_than_metres(const SurfaceData& data, const ImportedSeafloor& r) {
   const Vec2 size = r.raw_max - r.raw_min;
@@ -143,14 +192,17 @@ std::string choose_crs(const SurfaceData& data, const ImportOptions& options,
                        const ImportedSeafloor& r) {
   std::string crs = options.crs.empty() ? data.crs_wkt : parse_crs(options.crs);
   const double highest = std::max(std::abs(r.raw_z_min), std::abs(r.raw_z_max));
-  const bool fine = fits_degrees(r) && is_finer_than_metres(data, r) && !options.xy_unit_m;
+  const bool fine = may_be_degrees(r) && is_finer_than_metres(data, r) && !options.xy_unit_m;
   const std::string extent = fmt::format("x {:.7g} to {:.7g}, y {:.7g} to {:.7g}", r.raw_min.x(),
                                          r.raw_max.x(), r.raw_min.y(), r.raw_max.y());
-  if (crs.empty() && fine && highest > (r.raw_max - r.raw_min).norm()) {
+  const bool deeper = fine && highest > (r.raw_max - r.raw_min).norm();
+  if (crs.empty() && !options.xy_unit_m && (deeper || is_steeper_than_metres(r, highest))) {
     throw InvalidInput(fmt::format(
         "the coordinates of '{}' look like degrees ({}), but no coordinate reference system says "
-        "so; add <CRS> EPSG:4326 (or <xy unit> 1 if they are metres)",
-        r.file, extent));
+        "so; add <CRS> EPSG:4326 (or <xy unit> 1 if they are metres){}",
+        r.file, extent,
+        r.kind == "soundings" ? "; where the latitude comes first, add <columns> x=2,y=1,z=3 too"
+                              : ""));
   }
   if (is_projected(crs) && fine) {
     throw InvalidInput(fmt::format(
@@ -194,7 +246,14 @@ std::string project(SurfaceData& data, const std::string& crs, const ImportedSea
 double true_scale(SurfaceData& data, std::string& crs, const ImportOptions& options,
                   const ImportedSeafloor& r) {
   if (options.xy_unit_m) return *options.xy_unit_m;
+  if (crs.empty() && data.xy_unit_m) return *data.xy_unit_m;
   if (!is_projected(crs)) return metres_per_unit(crs);
+  if (data.xy_unit_m && std::abs(*data.xy_unit_m / metres_per_unit(crs) - 1.0) > 1e-3) {
+    data.warnings.push_back(fmt::format(
+        "the names of x and y say units of {:.7g} m, but {} has units of {:.7g} m, which were "
+        "used; check <CRS>",
+        *data.xy_unit_m, crs_name(crs), metres_per_unit(crs)));
+  }
   MapScaleAtData scale;
   try {
     scale = map_scale(crs, {r.raw_min, r.raw_max});
@@ -335,6 +394,21 @@ void join(SurfaceData& data, const Frame& frame, const ImportOptions& options,
       limit ? "" : " (from their spacing; set another with <longest edge>)"));
 }
 
+/// Grids of metres end near 10,000,000; grids of feet go on.
+void warn_of_feet(const std::string& crs, const SurfaceData& data, const ImportOptions& options,
+                  ImportedSeafloor& result) {
+  constexpr double kLargestNorthing = 10'050'000.0;
+  if (result.kind != "soundings" || !crs.empty() || options.xy_unit_m || data.xy_unit_m) return;
+  const double largest =
+      std::max(result.raw_max.cwiseAbs().maxCoeff(), result.raw_min.cwiseAbs().maxCoeff());
+  if (largest < kLargestNorthing) return;
+  result.warnings.push_back(fmt::format(
+      "coordinates up to {:.8g} are more than grids of metres have, but no coordinate reference "
+      "system says their unit: taken as metres, and so is z; if they are feet, give <CRS> (or <xy "
+      "unit>) and <z unit>",
+      largest));
+}
+
 void add_unit_warnings(const SurfaceData& data, const Frame& frame, double unit_m,
                        const ImportOptions& options, ImportedSeafloor& result) {
   if (unit_m != 1.0 && options.z_unit_m == 1.0 && !data.z_unit_m) {
@@ -383,9 +457,14 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
   result.file = path.string();
   result.input_hash = file_hash(path);
   result.kind = kind_of(path);
+  const bool has_columns = result.kind == "soundings";
   SurfaceData data = read(path, result.kind, options);
   if (result.kind == "points" || result.kind == "lidar") result.kind = "soundings";
   result.format = data.format;
+  if (!options.columns.empty() && !has_columns) {
+    data.warnings.emplace_back("<columns> is for soundings in text files; it was not used");
+  }
+  mend_degrees(data, options, result.kind);
   note_extent(data, result);
   std::string crs = choose_crs(data, options, result);
   if (is_geographic(crs)) crs = project(data, crs, result);
@@ -394,7 +473,9 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
   result.crs_name = crs_name(crs);
   if (data.faces.empty()) join(data, frame, options, result);
   result.spacing_m = data.spacing * frame.metres_per_unit;
-  add_unit_warnings(data, frame, options.xy_unit_m.value_or(metres_per_unit(crs)), options, result);
+  warn_of_feet(crs, data, options, result);
+  const double own_unit_m = crs.empty() && data.xy_unit_m ? *data.xy_unit_m : metres_per_unit(crs);
+  add_unit_warnings(data, frame, options.xy_unit_m.value_or(own_unit_m), options, result);
   result.notes.insert(result.notes.begin(), data.notes.begin(), data.notes.end());
   result.warnings.insert(result.warnings.begin(), data.warnings.begin(), data.warnings.end());
   const bool is_clean = data.is_clean;

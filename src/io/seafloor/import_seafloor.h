@@ -24,6 +24,9 @@ struct ImportOptions {
   /// Names, separated by commas: which variable, band, layer or packed file to read where there are
   /// several. A name that the file does not hold is no error.
   std::string layer = {};
+  /// Soundings in text files: which columns are x, y and z, by number (from 1) or by name, as in
+  /// 'x=3,y=2,z=5'. Empty: by their names.
+  std::string columns = {};
 };
 
 /// A seafloor in its local frame and what was found on the way.

@@ -113,5 +113,98 @@ TEST_F(ForeignFiles, AMeshWithYUpIsWarnedAbout) {
               Not(Contains(HasSubstr("y up"))));
 }
 
+/// Scattered soundings, 8 to 12 m deep, in metres around 500000, 4000000.
+std::string scattered_rows() {
+  std::string text;
+  for (int i = 0; i < 60; ++i) {
+    const int x = i * 37 % 100;
+    const int y = i * 61 % 97;
+    text += std::to_string(500000 + x) + "." + std::to_string(i % 10) + " " +
+            std::to_string(4000000 + y) + " -" + std::to_string(8 + i % 4) + ".5\n";
+  }
+  return text;
+}
+
+TEST_F(ForeignFiles, SoundingsAreReadUnderAnyExtension) {
+  const ImportedSeafloor plain = import_seafloor(write("a.xyz", scattered_rows()));
+  for (const char* name :
+       {"a.asc", "a.ascii", "a.emo", "a.pnt", "a.sdp", "a.dat", "a.all", "a.gpx", "a.grd", "a"}) {
+    const ImportedSeafloor r = import_seafloor(write(name, scattered_rows()));
+    EXPECT_EQ(r.kind, "soundings") << name;
+    EXPECT_EQ(r.seafloor.vertices, plain.seafloor.vertices) << name;
+  }
+}
+
+TEST_F(ForeignFiles, SoundingsAcrossTheAntimeridianKeepTogether) {
+  std::string rows = "lon,lat,depth\n";
+  std::string bare;
+  for (const char* lat : {"52.0000", "52.0001", "52.0002"}) {
+    for (const char* lon : {"179.9994", "179.9996", "179.9998", "-180", "-179.9998", "-179.9996"}) {
+      rows += std::string(lon) + "," + lat + ",8.5\n";
+      bare += std::string(lon) + " " + lat + " -8.5\n";
+    }
+  }
+  const ImportedSeafloor named = import_seafloor(write("a.csv", rows));
+  const ImportedSeafloor by_crs = import_seafloor(write("a.xyz", bare), {.crs = "EPSG:4326"});
+  for (const ImportedSeafloor* r : {&named, &by_crs}) {
+    EXPECT_THAT(r->crs_name, testing::AnyOf(HasSubstr("zone 60N"), HasSubstr("zone 1N")));
+    EXPECT_LT(extent(r->seafloor).size().x(), 100.0);
+  }
+}
+
+TEST_F(ForeignFiles, DegreesAreSeenInBothOrders) {
+  const std::string rows = "52.00 170.00 -8\n52.01 170.00 -9\n52.00 170.01 -8\n52.01 170.01 -8\n";
+  const auto file = write("a.xyz", rows);
+  EXPECT_THAT(refusal([&] { return import_seafloor(file); }),
+              AllOf(HasSubstr("look like degrees"), HasSubstr("<columns>")));
+  const ImportedSeafloor r = import_seafloor(file, {.crs = "EPSG:4326"});
+  EXPECT_THAT(r.crs_name, HasSubstr("zone 59N"));
+  // Spacing of half a degree: far too deep and too far from the origin for
+  // metres.
+  const auto coarse = write("b.xyz", "15 36 -900\n15.5 36 -950\n15 36.5 -950\n15.5 36.5 -900\n");
+  EXPECT_THAT(refusal([&] { return import_seafloor(coarse); }), HasSubstr("look like degrees"));
+}
+
+TEST_F(ForeignFiles, UnitsOfColumnNamesScaleDepthsAndPlaces) {
+  std::string rows;
+  for (int i = 0; i < 16; ++i) {
+    rows += std::to_string(10 * (i % 4)) + "," + std::to_string(10 * (i / 4)) + "," +
+            std::to_string(30 + i) + "\n";
+  }
+  const auto file = write("a.csv", "x_ft,y_ft,depth_ft\n" + rows);
+  const ImportedSeafloor r = import_seafloor(file);
+  EXPECT_NEAR(depth_range(r.seafloor).max, 45 * 0.3048, 1e-9);
+  EXPECT_NEAR(extent(r.seafloor).size().x(), 30 * 0.3048, 1e-9);
+  EXPECT_NEAR(depth_range(import_seafloor(file, {.z_unit_m = 2.0}).seafloor).max, 90.0, 1e-9);
+  const ImportedSeafloor chosen = import_seafloor(file, {.columns = "x=2,y=1,z=3"});
+  EXPECT_NEAR(depth_range(chosen.seafloor).max, 45 * 0.3048, 1e-9);
+  EXPECT_THROW((void)import_seafloor(file, {.columns = "x=1"}), UsageError);
+}
+
+TEST_F(ForeignFiles, CoordinatesTooLargeForMetresAreWarnedAbout) {
+  std::string rows;
+  for (int i = 0; i < 16; ++i) {
+    rows += std::to_string(3250000 + 25 * (i % 4)) + " " + std::to_string(13800000 + 25 * (i / 4)) +
+            " -38\n";
+  }
+  const auto file = write("a.xyz", rows);
+  EXPECT_THAT(import_seafloor(file).warnings, Contains(HasSubstr("if they are feet")));
+  EXPECT_THAT(import_seafloor(file, {.xy_unit_m = 0.3048}).warnings,
+              Not(Contains(HasSubstr("if they are feet"))));
+}
+
+TEST_F(ForeignFiles, ReadableTextIsNeverCalledGarbled) {
+  const auto says = [&](const std::string& text) {
+    return refusal([&] { return import_seafloor(write("a.asc", text)); });
+  };
+  EXPECT_THAT(says(std::string("\xEF\xBB\xBF") + std::string(kHead) + "-9 -9 -9\n"),
+              AllOf(HasSubstr("byte-order mark"), Not(HasSubstr("garbled"))));
+  EXPECT_THAT(says(std::string("\xFF\xFE"
+                               "1\0 \0",
+                               6)),
+              HasSubstr("UTF-16"));
+  EXPECT_THAT(says("Read me first.\n"), AllOf(HasSubstr("line 1"), Not(HasSubstr("garbled"))));
+}
+
 }  // namespace
 }  // namespace swathplan

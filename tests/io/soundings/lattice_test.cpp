@@ -1,8 +1,9 @@
+#include "io/soundings/lattice.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "io/seafloor/lattice_internal.h"
 #include "io/seafloor/surface_area.h"
 
 namespace swathplan {

@@ -1,8 +1,9 @@
+#include "io/soundings/lattice.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "io/grids/grid_import.h"
-#include "io/seafloor/lattice_internal.h"
 
 namespace swathplan {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/seafloor/soundings_import.h"
+#include "io/soundings/soundings_import.h"
 #include "mesh/base/error.h"
 #include "mesh/edge_table.h"
 #include "mesh/plane/segments.h"
@@ -35,6 +35,7 @@ constexpr double kEdgeLimit = 2.5;
 constexpr double kSmallestPart = 0.01;
 
 double percentile(std::vector<double>& values, double share) {
+  if (values.empty()) return 0.0;
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + at, values.end());
   return values[static_cast<std::size_t>(at)];
@@ -133,9 +134,20 @@ void drop_small_parts(SurfaceData& data) {
   data.faces = std::move(kept);
 }
 
+/// Distances between places further out may leave the range of doubles.
+void check_coordinates(const std::vector<Vec3>& vertices) {
+  for (const Vec3& v : vertices) {
+    if (v.allFinite() && v.head<2>().cwiseAbs().maxCoeff() <= kLargestCoordinate) continue;
+    throw InvalidInput(
+        fmt::format("a sounding lies at {:.6g}, {:.6g}: no map has coordinates beyond {:g}", v.x(),
+                    v.y(), kLargestCoordinate));
+  }
+}
+
 }  // namespace
 
 double join_soundings(SurfaceData& points, std::optional<double> longest) {
+  check_coordinates(points.vertices);
   points.faces = delaunay(points.vertices);
   if (points.faces.empty()) {
     throw InvalidInput(fmt::format(

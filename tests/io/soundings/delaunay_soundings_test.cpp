@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "io/seafloor/soundings_import.h"
 #include "io/seafloor/surface_area.h"
+#include "io/soundings/soundings_import.h"
 
 namespace swathplan {
 namespace {
