@@ -20,8 +20,8 @@ namespace swathplan {
 /// The unit of a value, as messages write it; empty for a pure number.
 using Unit = std::string_view;
 inline constexpr Unit kNoUnit = "", kMetres = "metres", kSquareMetres = "square metres",
-                      kDegrees = "degrees", kMetresPerSecond = "m/s", kHours = "hours",
-                      kPerCent = "per cent", kWatts = "watts";
+                      kDegrees = "degrees", kMetresPerSecond = "m/s", kHertz = "Hz",
+                      kHours = "hours", kPerCent = "per cent", kWatts = "watts";
 
 /// The numbers that a row allows; never those that are not finite.
 struct Rule {

@@ -114,6 +114,14 @@ OptionTable sonar_options(SonarChoice& o) {
       real("--max-opening", kSonarGroup, o.max_opening_deg, kDegrees,
            between(0.0, 180.0, "a beam at 90 degrees from nadir never meets the seafloor"),
            "Largest full opening angle, degrees (default: the preset's)", "max_opening_deg"),
+      real("--ping-rate", kSonarGroup, o.ping_rate_hz, kHertz, above_at_most(0.0, 1000.0),
+           "Largest ping rate, Hz (default: the preset's)", "ping_rate_hz"),
+      choice("--swaths", kSonarGroup, o.swaths, {"preset", "single", "dual"},
+             "Fans in a ping's cycle", "swaths"),
+      text("--coverage-curve", kSonarGroup, o.coverage_curve,
+           "Half-angles that the fan still sees at depths below the sonar, as 20:65,100:60,250:30 "
+           "(metres:degrees; default: as far as the sonar's range goes)",
+           "coverage_curve"),
   };
 }
 
@@ -172,8 +180,13 @@ OptionTable scoring_options(SurveyOptions& survey) {
   const OptionTable cells{
       real("--resolution", kScoringGroup, o.resolution_m, kMetres, above(0.0),
            "Side of a scoring cell, metres", "resolution_m"),
-      real("--ping-spacing", kScoringGroup, o.ping_spacing_m, kMetres, above_at_most(0.0, 100.0),
-           "Path length between pings, metres", "ping_spacing_m"),
+      real(
+          "--ping-spacing", kScoringGroup, o.ping_spacing_m, kMetres, above_at_most(0.0, 100.0),
+          "One ping each so many metres of path (default: by the clock, as fast as sonar and sound "
+          "allow)",
+          "ping_spacing_m"),
+      real("--sound-speed", kScoringGroup, o.sound_speed_mps, kMetresPerSecond, within(1300, 1700),
+           "Speed of sound in the water, m/s", "sound_speed_mps"),
   };
   const OptionTable beyond{
       choice("--nodata", kScoringGroup, o.nodata, {"wall", "open"},

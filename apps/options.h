@@ -30,7 +30,8 @@ struct SonarChoice {
   std::string preset = "norbit-iwbms";
   std::optional<int> beams;
   std::string beam_spacing = "equiangular";
-  std::optional<double> max_opening_deg;
+  std::optional<double> max_opening_deg, ping_rate_hz;
+  std::string swaths = "preset", coverage_curve;
 };
 
 /// A preset and what overrides it.
@@ -50,7 +51,9 @@ struct NoiseChoice {
 
 /// How routes are scored.
 struct ScoringChoice {
-  double resolution_m = 0.10, ping_spacing_m = 0.10;
+  double resolution_m = 0.10;
+  std::optional<double> ping_spacing_m;
+  double sound_speed_mps = 1500.0;
   std::string nodata = "wall";
   double holiday_m2 = 1.0;
   bool hit_only = false;

@@ -72,6 +72,32 @@ Vec2 start_point(const std::string& text) {
   return {number(parts[0], "--start"), number(parts[1], "--start")};
 }
 
+/// '20:65,100:60': half-angles in degrees over depths in metres.
+std::vector<CoverageLimit> coverage_curve(const std::string& text) {
+  std::vector<CoverageLimit> curve;
+  for (const std::string& part : split(text, ',')) {
+    const std::vector<std::string> pair = split(part, ':');
+    if (pair.size() != 2) {
+      throw UsageError(fmt::format(
+          "--coverage-curve '{}'; must be pairs of depth and half-angle, as in '20:65,100:60'",
+          text));
+    }
+    const CoverageLimit limit{number(pair[0], "--coverage-curve"),
+                              Angle::degrees(number(pair[1], "--coverage-curve"))};
+    const bool falls = curve.empty() || (limit.depth_m > curve.back().depth_m &&
+                                         limit.half_angle < curve.back().half_angle);
+    if (!falls || limit.depth_m < 0.0 || limit.half_angle.deg() < 0.0 ||
+        limit.half_angle.deg() >= 90.0) {
+      throw UsageError(fmt::format(
+          "--coverage-curve '{}'; depths must be 0 metres or more and ascend, half-angles must "
+          "lie under 90 degrees and descend",
+          text));
+    }
+    curve.push_back(limit);
+  }
+  return curve;
+}
+
 void set_if(double& value, const std::optional<double>& given) {
   if (given) value = *given;
 }
@@ -103,7 +129,7 @@ PlanOptions planning_of(const SurveyOptions& options, const Survey& survey) {
   result.resolution_m = options.scoring.resolution_m;
   result.faces = o.faces == "quad" ? FaceShape::quad : FaceShape::triangle;
   result.face_size = o.face_size;
-  result.ping_spacing_m = options.scoring.ping_spacing_m;
+  result.pings = survey.scoring.pings;
   result.noise = survey.scoring.noise;
   result.threads = options.scoring.threads;
   result.bands = bands(o.depth_bands);
@@ -137,6 +163,9 @@ Sonar sonar_of(const SonarChoice& o) {
   Sonar sonar = *preset;
   if (o.beams) sonar.beams = *o.beams;
   if (o.max_opening_deg) sonar.max_opening = Angle::degrees(*o.max_opening_deg);
+  set_if(sonar.max_ping_rate_hz, o.ping_rate_hz);
+  if (o.swaths != "preset") sonar.dual_swath = o.swaths == "dual";
+  if (!o.coverage_curve.empty()) sonar.coverage_curve = coverage_curve(o.coverage_curve);
   sonar.spacing =
       o.beam_spacing == "equidistant" ? BeamSpacing::equidistant : BeamSpacing::equiangular;
   return sonar;
@@ -165,7 +194,9 @@ Survey survey_of(const SurveyOptions& o) {
   survey.sonar = sonar_of(o.sonar);
   survey.vehicle = vehicle_of(o.vehicle);
   survey.scoring.resolution_m = o.scoring.resolution_m;
-  survey.scoring.ping_spacing_m = o.scoring.ping_spacing_m;
+  survey.scoring.pings.spacing_m = o.scoring.ping_spacing_m;
+  survey.scoring.pings.sound_speed_mps = o.scoring.sound_speed_mps;
+  check(survey.sonar, survey.scoring.pings);
   survey.scoring.holiday_m2 = o.scoring.holiday_m2;
   survey.scoring.nodata = o.scoring.nodata == "open" ? Nodata::open : Nodata::wall;
   survey.scoring.footprint = !o.scoring.hit_only;
@@ -203,6 +234,7 @@ SurveyOptions in_force(const SurveyOptions& typed, const Survey& survey) {
   SurveyOptions o = typed;
   if (!o.sonar.beams) o.sonar.beams = survey.sonar.beams;
   keep(o.sonar.max_opening_deg, tidy_degrees(survey.sonar.max_opening));
+  keep(o.sonar.ping_rate_hz, survey.sonar.max_ping_rate_hz);
   o.vehicle = in_force(typed.vehicle, survey.vehicle);
   const TrackNoise& noise = survey.scoring.noise;
   keep(o.noise.lateral_sigma_m, noise.lateral_sigma_m);

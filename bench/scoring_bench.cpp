@@ -57,7 +57,7 @@ Rays all_rays(const Route& route, const RayScene& scene, const Sonar& sonar, dou
               double spacing) {
   Rays rays;
   rays.beams = static_cast<std::size_t>(sonar.beams);
-  PingWalker walker(route, spacing, {});
+  PingWalker walker(route, sonar, {.spacing_m = spacing}, {});
   FanTableCache tables(sonar);
   std::vector<Ping> pings;
   while (walker.next(1024, pings)) {

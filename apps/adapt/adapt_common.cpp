@@ -31,10 +31,9 @@ Survey mission_survey(const AdaptOutput& output, const Site& site) {
   scoring.holiday_m2 = 10.0 * scoring.resolution_m * scoring.resolution_m;
   scoring.hit_only = true;
   scoring.threads = output.threads;
-  options.sonar = {.preset = "norbit-iwbms",
-                   .beams = std::nullopt,
-                   .beam_spacing = "equidistant",
-                   .max_opening_deg = 178.0};
+  options.sonar.preset = "norbit-iwbms";
+  options.sonar.beam_spacing = "equidistant";
+  options.sonar.max_opening_deg = 178.0;
   options.vehicle.preset = "auv";
   options.noise.seed = output.seed;
   return survey_of(options);

@@ -126,6 +126,13 @@ void fill_figures(const Tally& t, bool footprint, Score& score) {
       t.hit > 0 ? static_cast<double>(score.soundings) / static_cast<double>(t.hit) - 1.0 : 0.0;
 }
 
+// A batch of blocks of pings on their way through the scorer.
+struct Batch {
+  std::vector<std::vector<Ping>> pings;
+  std::vector<BlockHits> hits;  // by the clock
+  std::size_t blocks = 0;
+};
+
 // Trace a batch of blocks, then count it, until the route is sailed.
 class Scorer {
  public:
@@ -133,53 +140,92 @@ class Scorer {
          const ScoreOptions& options, tbb::task_arena& arena, CoverageGrid& grid)
       : options_(options),
         grid_(grid),
-        walker_(route, options.ping_spacing_m, options.noise),
+        walker_(route, sonar, options.pings, options.noise),
         arena_(arena),
         bands_{bands_for(arena_.max_concurrency())},
         tracers_([&ground, &sonar, draft_m, &grid, &options, bands = bands_] {
           return PingTracer(*ground.scene, sonar, draft_m, grid, bands, options.footprint,
                             options.swath_share);
-        }) {
+        }),
+        chain_(*ground.scene, sonar, draft_m, grid, bands_, false, options.swath_share) {
     const auto threads = static_cast<std::size_t>(arena_.max_concurrency());
-    pings_.resize(threads * kBlocksPerThread);
-    traces_.resize(pings_.size());
+    const std::size_t blocks = threads * kBlocksPerThread;
+    for (Batch* batch : {&now_, &next_}) {
+      batch->pings.resize(blocks);
+      batch->hits.resize(blocks);
+    }
+    traces_.resize(blocks);
   }
 
   void run(Score& score) {
-    for (std::size_t blocks = read_pings(score); blocks > 0; blocks = read_pings(score)) {
-      trace(blocks);
-      for (std::size_t b = 0; b < blocks; ++b) score.rays += traces_[b].rays;
-      score.soundings += count(blocks);
-      if (options_.progress) options_.progress(walker_.progress(), score.rays);
+    if (walker_.by_the_clock()) {
+      follow_the_clock(score);
+    } else {
+      for (read_pings(now_, score); now_.blocks > 0; read_pings(now_, score)) {
+        trace(now_);
+        count(now_, score);
+      }
     }
+    score.pinging = walker_.figures();
   }
 
  private:
-  std::size_t read_pings(Score& score) {
-    std::size_t blocks = 0;
-    while (blocks < pings_.size() && walker_.next(kPingsPerBlock, pings_[blocks])) {
-      score.pings += pings_[blocks++].size();
+  void read_pings(Batch& batch, Score& score) {
+    batch.blocks = 0;
+    while (batch.blocks < batch.pings.size() &&
+           walker_.next(kPingsPerBlock, batch.pings[batch.blocks])) {
+      score.pings += batch.pings[batch.blocks++].size();
     }
-    return blocks;
   }
 
-  void trace(std::size_t blocks) {
-    arena_.execute([&] {
-      for_each_index(std::size_t{0}, blocks,
-                     [&](std::size_t b) { tracers_.local().trace(pings_[b], traces_[b]); });
+  // The next ping hangs on the last one's soundings: rays are traced along the chain, by one
+  // thread, while all others sort the batch before.
+  void follow_the_clock(Score& score) {
+    read_chain(now_, score);
+    while (now_.blocks > 0) {
+      arena_.execute([&] { run_both([&] { read_chain(next_, score); }, [&] { sort(now_); }); });
+      count(now_, score);
+      std::swap(now_, next_);
+    }
+  }
+
+  void read_chain(Batch& batch, Score& score) {
+    batch.blocks = 0;
+    while (batch.blocks < batch.pings.size()) {
+      BlockHits& hits = batch.hits[batch.blocks];
+      hits.floats.clear();
+      hits.starts.clear();
+      const auto farthest = [&](const Ping& ping) {
+        return static_cast<double>(chain_.trace_rays(ping, hits));
+      };
+      if (!walker_.next(kPingsPerBlock, batch.pings[batch.blocks], farthest)) break;
+      score.pings += batch.pings[batch.blocks++].size();
+    }
+  }
+
+  void sort(Batch& batch) {
+    for_each_index(std::size_t{0}, batch.blocks, [&](std::size_t b) {
+      tracers_.local().sort_soundings(batch.pings[b], batch.hits[b], traces_[b]);
     });
   }
 
-  std::uint64_t count(std::size_t blocks) {
+  void trace(const Batch& batch) {
+    arena_.execute([&] {
+      for_each_index(std::size_t{0}, batch.blocks,
+                     [&](std::size_t b) { tracers_.local().trace(batch.pings[b], traces_[b]); });
+    });
+  }
+
+  void count(const Batch& batch, Score& score) {
     std::vector<std::uint64_t> soundings(bands_.count, 0);
     arena_.execute([&] {
       for_each_index(std::uint32_t{0}, bands_.count, [&](std::uint32_t band) {
-        soundings[band] = count_band({traces_.data(), blocks}, bands_, band, grid_);
+        soundings[band] = count_band({traces_.data(), batch.blocks}, bands_, band, grid_);
       });
     });
-    std::uint64_t sum = 0;
-    for (const std::uint64_t n : soundings) sum += n;
-    return sum;
+    for (const std::uint64_t n : soundings) score.soundings += n;
+    for (std::size_t b = 0; b < batch.blocks; ++b) score.rays += traces_[b].rays;
+    if (options_.progress) options_.progress(walker_.progress(), score.rays);
   }
 
   const ScoreOptions& options_;
@@ -188,7 +234,8 @@ class Scorer {
   tbb::task_arena& arena_;
   Bands bands_;
   tbb::enumerable_thread_specific<PingTracer> tracers_;
-  std::vector<std::vector<Ping>> pings_;
+  PingTracer chain_;
+  Batch now_, next_;
   std::vector<BlockTrace> traces_;
 };
 

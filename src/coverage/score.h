@@ -14,8 +14,8 @@ namespace swathplan {
 
 struct ScoreOptions {
   double resolution_m = 0.10;
-  double ping_spacing_m = 0.10;  ///< > 0
-  double holiday_m2 = 0.0;       ///< list holidays of at least this
+  PingTiming pings;
+  double holiday_m2 = 0.0;  ///< list holidays of at least this
   /// Not read by `score`: callers that build the scene from these options build it with this.
   Nodata nodata = Nodata::wall;
   TrackNoise noise;
@@ -44,6 +44,7 @@ struct Score {
   double several_legs_pct = 0.0;                     ///< cells seen by two or more different legs
   std::uint64_t cells = 0;                           ///< of the grid that lie in the survey area
   std::uint64_t pings = 0, rays = 0, soundings = 0;  ///< soundings: hits inside the area
+  PingFigures pinging;
   double survey_area_m2 = 0.0;
   double footprint_width_m = 0.0;  ///< W
   RouteFigures route;
@@ -65,8 +66,9 @@ struct ScoredRoute {
 /// rectangles of neighbouring soundings overlap they meet half-way between the soundings (or as far
 /// as both reach), so missing beams, shadows and range jumps are not bridged. Beams that climb a
 /// wall, straight above the one before, add no footprint.
-/// Guarantees: (1) the same result for any number of threads; (2) memory 4 bytes a cell plus a
-/// fixed number of pings in flight.
+/// Guarantees: (1) the same result for any number of threads: by the clock, where each ping hangs
+/// on the one before, one thread alone follows the chain of pings, while the others sort and count
+/// what it traced before; (2) memory 4 bytes a cell plus a fixed number of pings in flight.
 /// @throws InvalidInput for a route that is not valid; UsageError for an option out of range.
 [[nodiscard]] ScoredRoute score(const Route& route, const Ground& ground, const Sonar& sonar,
                                 const Vehicle& vehicle, const ScoreOptions& options);

@@ -89,6 +89,12 @@ FanAngles fan_for_depth(const PlanOptions& options, double depth_m) {
   return {half, half};
 }
 
+double ping_spacing_m(const PlanOptions& options, double depth_m) {
+  const double below_sonar = depth_m - options.vehicle.draft_m;
+  return ping_spacing_m(options.sonar, options.pings, below_sonar,
+                        fan_for_depth(options, depth_m).port, options.vehicle.speed_mps);
+}
+
 Route opened_per_ping(const Route& route, const Ground& ground, const PlanOptions& options,
                       double step_m) {
   Route result;

@@ -53,9 +53,9 @@ struct PlanOptions {
   /// Hypotenuse of a triangle or side of a quad as a share of W, > 0. Empty: kFaceSize or
   /// kQuadSize, and where the area holds few faces the best of several meshes (mesh_choice.h).
   std::optional<double> face_size;
-  double ping_spacing_m = 0.10;  ///< for judging candidates, > 0
-  TrackNoise noise;              ///< for judging candidates
-  int threads = 0;               ///< 0: all cores; no result depends on it
+  PingTiming pings;  ///< for judging candidates
+  TrackNoise noise;  ///< for judging candidates
+  int threads = 0;   ///< 0: all cores; no result depends on it
   DepthBands bands;
   /// A region smaller than this joins a neighbour, m^2. Empty: 0.3 of a hypotenuse squared, a
   /// little more than a regular triangle; with quads 0.3 of a side squared.
@@ -99,6 +99,10 @@ inline constexpr double kMostMargin = 0.4;
 
 /// W = beams x resolution, metres.
 [[nodiscard]] double footprint_width_m(const PlanOptions& options);
+
+/// Metres between pings at survey speed over level ground `depth_m` deep, with the fan that sweeps
+/// W there.
+[[nodiscard]] double ping_spacing_m(const PlanOptions& options, double depth_m);
 
 /// The part of the survey area that the boat may sail in: lines and meshes are laid in it.
 /// @throws InvalidInput if there is none.

@@ -7,7 +7,7 @@ namespace swathplan {
 Outcome simulated_hits(const Route& route, const Ground& ground, const PlanOptions& options) {
   ScoreOptions how;
   how.resolution_m = options.resolution_m;
-  how.ping_spacing_m = options.ping_spacing_m;
+  how.pings = options.pings;
   how.footprint = false;
   how.noise = options.noise;
   how.threads = options.threads;

@@ -70,7 +70,7 @@ TEST(Score, CountsEverySoundingInTheCellUnderIt) {
   sonar.beams = 33;
   ScoreOptions options;
   options.resolution_m = 1.0;
-  options.ping_spacing_m = 1.0;
+  options.pings.spacing_m = 1.0;
   const ScoredRoute scored = score(route, g.ground, sonar, at_the_surface(), options);
   std::vector<std::uint32_t> expected(40 * 40, 0);
   for (const double angle : beam_angles_rad(sonar, even_fan(50))) {
@@ -128,7 +128,7 @@ TEST(Score, IsTheSameForAnyNumberOfThreads) {
   const Seafloor floor = saddle();
   const TestGround g(floor, Nodata::wall, outline(floor));
   ScoreOptions options;
-  options.ping_spacing_m = 0.2;
+  options.pings.spacing_m = 0.2;
   options.noise.roll_sigma = Angle::degrees(2);
   options.noise.lateral_sigma_m = 0.3;
   options.threads = 1;
@@ -179,7 +179,8 @@ TEST(Score, RollSwingsTheFanToPortWhenStarboardGoesDown) {
   noise.roll_sigma = Angle::degrees(10);
   noise.correlation_length_m = 1e9;
   for (noise.seed = 1; noise.seed < 20; ++noise.seed) {
-    PingWalker walker(route, 0.1, noise);
+    const Sonar sonar;
+    PingWalker walker(route, sonar, {.spacing_m = 0.1}, noise);
     std::vector<Ping> pings;
     ASSERT_TRUE(walker.next(1, pings));
     const double roll = pings[0].roll.rad();
@@ -212,7 +213,7 @@ TEST(Score, TurningAndShiftingEverythingByWholeCellsChangesNoFigure) {
     const TestGround g(s, Nodata::wall, outline(s));
     ScoreOptions options;
     options.resolution_m = 0.25;
-    options.ping_spacing_m = 0.25;
+    options.pings.spacing_m = 0.25;
     const Score result = score(route, g.ground, {}, {}, options).score;
     return std::pair(result.all.hit_pct, result.all.footprint_pct.value());
   };
@@ -248,13 +249,65 @@ TEST(Score, RefusesWhatCannotBeScored) {
   options.threads = -1;
   EXPECT_THROW((void)score(route, g.ground, {}, {}, options), UsageError);
   options = {};
-  options.ping_spacing_m = 0;
+  options.pings.spacing_m = 0;
   EXPECT_THROW((void)score(route, g.ground, {}, {}, options), UsageError);
   options = {};
   options.resolution_m = 0;
   EXPECT_THROW((void)score(route, g.ground, {}, {}, options), UsageError);
   route.waypoints.resize(1);
   EXPECT_THROW((void)score(route, g.ground, {}, {}, {}), InvalidInput);
+}
+
+TEST(Score, ByTheClockPingsOverLevelGroundLieAsFarApartAsTheClosedFormSays) {
+  const TestGround g(flat(200, 200, 60), Nodata::open, rectangle(0, 0, 200, 200));
+  const Route route = route_through({{100, 60}, {100, 140}}, even_fan(40));
+  ScoreOptions options;
+  options.resolution_m = 1.0;
+  options.pings.spacing_m.reset();
+  const Vehicle vehicle = at_the_surface();
+  const Score s = score(route, g.ground, {}, vehicle, options).score;
+  const double spacing = ping_spacing_m(Sonar{}, options.pings, 60.0, Angle::degrees(40),
+                                        route.waypoints[0].speed_mps);
+  EXPECT_NEAR(s.pinging.mean_spacing_m, spacing, 1e-3 * spacing);
+  EXPECT_NEAR(s.pinging.largest_spacing_m, spacing, 1e-3 * spacing);
+  EXPECT_EQ(s.pinging.sound_bound, s.pinging.intervals);
+  EXPECT_EQ(s.pings, 1U + static_cast<std::uint64_t>(80.0 / spacing));
+}
+
+TEST(Score, ByTheClockTheSameForAnyNumberOfThreads) {
+  const TestGround g(saddle(), Nodata::wall, rectangle(-40, -40, 40, 40));
+  const Route route =
+      route_through({{-30, -30}, {-30, 30}, {0, 30}, {0, -30}, {30, -30}}, even_fan(55));
+  ScoreOptions options;
+  options.resolution_m = 0.5;
+  options.pings.spacing_m.reset();
+  options.threads = 1;
+  const ScoredRoute one = score(route, g.ground, {}, at_the_surface(), options);
+  options.threads = 0;
+  const ScoredRoute all = score(route, g.ground, {}, at_the_surface(), options);
+  EXPECT_EQ(one.grid.words(), all.grid.words());
+  EXPECT_EQ(one.score.pings, all.score.pings);
+  EXPECT_EQ(one.score.soundings, all.score.soundings);
+  EXPECT_GT(one.score.pinging.sound_bound, 0U);
+}
+
+TEST(Score, ASwathEndsWhereTheCoverageCurveSaysForItsDepth) {
+  const TestGround g(flat(400, 400, 100), Nodata::open, rectangle(0, 0, 400, 400));
+  const Route route = route_through({{200, 100}, {200, 300}}, even_fan(60));
+  Sonar sonar;
+  sonar.coverage_curve = {{50.0, Angle::degrees(65)}, {150.0, Angle::degrees(25)}};
+  ScoreOptions options;
+  options.resolution_m = 1.0;
+  options.footprint = false;
+  const ScoredRoute s = score(route, g.ground, sonar, at_the_surface(), options);
+  // Half-way between the two limits: 45 degrees, so 100 m to either side.
+  double widest = 0.0;
+  for (std::size_t i = 0; i < s.grid.words().size(); ++i) {
+    if (s.grid.soundings(i) == 0) continue;
+    const auto column = static_cast<double>(i % s.grid.columns());
+    widest = std::max(widest, std::abs(column + 0.5 - 200.0));
+  }
+  EXPECT_NEAR(widest, 100.0, 1.0);
 }
 
 }  // namespace

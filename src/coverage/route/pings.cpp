@@ -21,10 +21,7 @@ std::array<double, 4> normals(std::mt19937_64& random) {
   return {a, b, c, d};
 }
 
-void check(double spacing_m, const TrackNoise& noise) {
-  if (!(spacing_m > 0) || !std::isfinite(spacing_m)) {
-    throw UsageError("ping spacing", fmt::format("{} m", spacing_m), "must be greater than 0");
-  }
+void check(const TrackNoise& noise) {
   if (!(noise.correlation_length_m > 0)) {
     throw UsageError(fmt::format("correlation length = {} m; must be greater than 0",
                                  noise.correlation_length_m));
@@ -50,9 +47,11 @@ Vec2 clockwise(const Vec2& v, double angle) {
 
 }  // namespace
 
-PingWalker::PingWalker(const Route& route, double spacing_m, const TrackNoise& noise)
-    : route_(&route), spacing_(spacing_m), noise_(noise), random_(noise.seed) {
-  check(spacing_m, noise);
+PingWalker::PingWalker(const Route& route, const Sonar& sonar, const PingTiming& timing,
+                       const TrackNoise& noise)
+    : route_(&route), sonar_(&sonar), timing_(timing), noise_(noise), random_(noise.seed) {
+  swathplan::check(sonar, timing);
+  check(noise);
   if (route.waypoints.size() < 2) return;
   leg_of_segment_.resize(route.waypoints.size() - 1);
   std::uint32_t leg = 0;
@@ -65,21 +64,20 @@ PingWalker::PingWalker(const Route& route, double spacing_m, const TrackNoise& n
   if (noise_.any()) noise_state_ = normals(random_);
 }
 
-void PingWalker::step_noise() {
+void PingWalker::step_noise(double sailed_m) {
   if (!noise_.any()) return;
-  const double keep = std::exp(-spacing_ / noise_.correlation_length_m);
+  const double keep = std::exp(-sailed_m / noise_.correlation_length_m);
   const double fresh = std::sqrt(1.0 - keep * keep);
   const std::array<double, 4> draw = normals(random_);
   for (std::size_t k = 0; k < 4; ++k) noise_state_[k] = keep * noise_state_[k] + fresh * draw[k];
 }
 
-void PingWalker::push(std::vector<Ping>& block) const {
+bool PingWalker::push(std::vector<Ping>& block) const {
   const Waypoint& from = route_->waypoints[segment_];
-  if (!from.fan || !(segment_length_ > 0)) return;
+  if (!from.fan || !(segment_length_ > 0)) return false;
   const Waypoint& to = route_->waypoints[segment_ + 1];
   const Vec2 course = (to.position - from.position) / segment_length_;
-  const double along =
-      std::clamp(static_cast<double>(index_) * spacing_ - segment_start_, 0.0, segment_length_);
+  const double along = std::clamp(at_ - segment_start_, 0.0, segment_length_);
   Ping ping{.position = from.position + along * course,
             .course = course,
             .roll = {},
@@ -94,27 +92,75 @@ void PingWalker::push(std::vector<Ping>& block) const {
     ping.heave_m = noise_state_[3] * noise_.heave_sigma_m;
   }
   block.push_back(ping);
+  return true;
 }
 
-bool PingWalker::next(std::size_t count, std::vector<Ping>& block) {
+void PingWalker::enter_next_segment() {
+  segment_start_ += segment_length_;
+  segment_length_ = segment_length(*route_, ++segment_);
+}
+
+// The path that is sailed in so many seconds from where the boat is, through waypoints and their
+// speeds.
+double PingWalker::after_seconds(double seconds) {
+  double at = at_;
+  for (;;) {
+    const double speed = route_->waypoints[segment_].speed_mps;
+    const double end = segment_start_ + segment_length_;
+    const bool last = segment_ + 1 >= leg_of_segment_.size();
+    if (last || at + speed * seconds < end - kPathDust) return at + speed * seconds;
+    seconds = std::max(0.0, seconds - (end - at) / speed);
+    at = end;
+    enter_next_segment();
+  }
+}
+
+// Where the next ping is due.
+double PingWalker::advance(const std::vector<Ping>& block, bool pinged,
+                           const FarthestSounding& farthest) {
+  if (timing_.spacing_m) {
+    // One product a ping: sums of a million spacings would wander.
+    return static_cast<double>(index_) * (timing_.thinning * *timing_.spacing_m);
+  }
+  if (pinged) {
+    if (const double range = farthest(block.back()); range > 0.0) range_ = range;
+    figures_.longest_range_m = std::max(figures_.longest_range_m, range_);
+  }
+  return after_seconds(ping_interval_s(*sonar_, timing_, range_));
+}
+
+bool PingWalker::next(std::size_t count, std::vector<Ping>& block,
+                      const FarthestSounding& farthest) {
   block.clear();
   while (block.size() < count && !leg_of_segment_.empty()) {
-    const double s = static_cast<double>(index_) * spacing_;
-    if (s > total_ + kPathDust) break;
+    if (at_ > total_ + kPathDust) break;
     while (segment_ + 1 < leg_of_segment_.size() &&
-           s >= segment_start_ + segment_length_ - kPathDust) {
-      segment_start_ += segment_length_;
-      segment_length_ = segment_length(*route_, ++segment_);
+           at_ >= segment_start_ + segment_length_ - kPathDust) {
+      enter_next_segment();
     }
-    push(block);
+    const bool pinged = push(block);
+    const double here = at_;
     ++index_;
-    step_noise();
+    at_ = advance(block, pinged, farthest);
+    const double sailed = at_ - here;
+    if (pinged && at_ <= total_ + kPathDust) {
+      ++figures_.intervals;
+      figures_.sound_bound += by_the_clock() && sound_binds(*sonar_, timing_, range_);
+      sum_of_spacings_ += sailed;
+      figures_.largest_spacing_m = std::max(figures_.largest_spacing_m, sailed);
+    }
+    step_noise(timing_.spacing_m ? timing_.thinning * *timing_.spacing_m : sailed);
   }
   return !block.empty();
 }
 
-double PingWalker::progress() const {
-  return total_ > 0 ? std::min(1.0, static_cast<double>(index_) * spacing_ / total_) : 1.0;
+double PingWalker::progress() const { return total_ > 0 ? std::min(1.0, at_ / total_) : 1.0; }
+
+PingFigures PingWalker::figures() const {
+  PingFigures result = figures_;
+  const auto n = static_cast<double>(std::max<std::uint64_t>(1, figures_.intervals));
+  result.mean_spacing_m = sum_of_spacings_ / n;
+  return result;
 }
 
 }  // namespace swathplan

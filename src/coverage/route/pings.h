@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <vector>
 
+#include "coverage/route/ping_clock.h"
 #include "coverage/route/route.h"
+#include "coverage/route/sonar.h"
 
 namespace swathplan {
 
@@ -35,33 +38,64 @@ struct TrackNoise {
   }
 };
 
+/// Slant range of the farthest sounding of a ping, metres; 0 for a ping without one.
+using FarthestSounding = std::function<double(const Ping&)>;
+
+/// What a walk along a route found of its pings; legs with the sonar off aside.
+struct PingFigures {
+  std::uint64_t intervals = 0;  ///< from a ping to the next one
+  double mean_spacing_m = 0.0;  ///< path between them
+  double largest_spacing_m = 0.0;
+  /// Intervals that the way of the sound sets; the others follow the sonar's largest ping rate.
+  std::uint64_t sound_bound = 0;
+  double longest_range_m = 0.0;  ///< of all soundings, where pings go by the clock
+};
+
 /// Walks along the route and yields its pings in order, a block at a time, so that a long route
-/// needs little memory. One ping each `spacing_m` of path from the first waypoint, on through
-/// waypoints without restart; the course is that of the segment being sailed; a ping on a waypoint
+/// needs little memory. The course is that of the segment being sailed; a ping on a waypoint
 /// belongs to the next segment; legs with the sonar off give none (but the count runs on).
+/// With a fixed spacing there is one ping each so many metres of path from the first waypoint, on
+/// through waypoints without restart. By the clock the next ping is due when the boat, at the speed
+/// of the rows it sails, has been under way for ping_interval_s() of this ping's farthest sounding;
+/// a ping without a sounding counts with the range of the last one that had one.
 /// A waypoint counts as reached kPathDust before it, so that rounding neither drops the last ping
-/// nor moves one to the wrong segment. Keeps a reference: the route must outlive it.
+/// nor moves one to the wrong segment. Keeps references: route and sonar must outlive it.
 class PingWalker {
  public:
   static constexpr double kPathDust = 1e-6;  ///< metres of path
-  /// @throws UsageError for a spacing or correlation length that is not > 0, or a negative sigma.
-  PingWalker(const Route& route, double spacing_m, const TrackNoise& noise);
-  /// Fills `block` with up to `count` next pings; false when none is left.
-  bool next(std::size_t count, std::vector<Ping>& block);
+  /// @throws UsageError for a timing that cannot be, a correlation length that is not > 0, or a
+  ///   negative sigma.
+  PingWalker(const Route& route, const Sonar& sonar, const PingTiming& timing,
+             const TrackNoise& noise);
+  /// Fills `block` with up to `count` next pings; false when none is left. By the clock
+  /// `farthest` is asked once for each ping, in order, since the next one hangs on it; with a fixed
+  /// spacing it is not asked and may be empty.
+  bool next(std::size_t count, std::vector<Ping>& block, const FarthestSounding& farthest = {});
+  [[nodiscard]] bool by_the_clock() const { return !timing_.spacing_m; }
   /// Share of the route's length walked so far, [0, 1].
   [[nodiscard]] double progress() const;
+  [[nodiscard]] PingFigures figures() const;
 
  private:
-  void step_noise();
-  void push(std::vector<Ping>& block) const;
+  void step_noise(double sailed_m);
+  bool push(std::vector<Ping>& block) const;
+  void enter_next_segment();
+  [[nodiscard]] double advance(const std::vector<Ping>& block, bool pinged,
+                               const FarthestSounding& farthest);
+  [[nodiscard]] double after_seconds(double seconds);
 
   const Route* route_;
-  double spacing_;
+  const Sonar* sonar_;
+  PingTiming timing_;
   TrackNoise noise_;
   std::vector<std::uint32_t> leg_of_segment_;
   std::size_t segment_ = 0;
   std::uint64_t index_ = 0;
+  double at_ = 0.0;  // path of the next ping, metres
   double segment_start_ = 0.0, segment_length_ = 0.0, total_ = 0.0;
+  double range_ = 0.0;  // of the last ping that had a sounding
+  double sum_of_spacings_ = 0.0;
+  PingFigures figures_;
   std::mt19937_64 random_;
   std::array<double, 4> noise_state_{};  // lateral, heading, roll, heave in units of their sigmas
 };

@@ -2,19 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swathplan {
 
 std::vector<Sonar> sonar_presets() {
   const auto preset = [](std::string name, int beams, double along, double across, double opening,
-                         double rate, double range) {
+                         double rate, double range, bool dual = false) {
     return Sonar{.name = std::move(name),
                  .beams = beams,
                  .beam_width_along = Angle::degrees(along),
                  .beam_width_across = Angle::degrees(across),
                  .max_opening = Angle::degrees(opening),
                  .max_ping_rate_hz = rate,
-                 .max_range_m = range};
+                 .max_range_m = range,
+                 .dual_swath = dual};
   };
   return {preset("norbit-iwbms", 256, 1.9, 0.9, 160, 60, 275),
           preset("norbit-iwbms-512", 512, 1.9, 0.9, 160, 60, 275),
@@ -51,6 +53,23 @@ Angle gap_free_half_angle(const Sonar& sonar, double depth_m, double cell_m) {
     (spread(middle) <= target ? low : high) = middle;
   }
   return Angle::radians(low);
+}
+
+double reach_m(const Sonar& sonar, Angle angle) {
+  // The deepest ground that the curve still lets this beam see. Angles fall with depth.
+  const double off_nadir = std::abs(angle.rad());
+  const auto& curve = sonar.coverage_curve;
+  double deepest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double here = curve[i].half_angle.rad();
+    if (here >= off_nadir) continue;
+    if (i == 0) return 0.0;
+    const double before = curve[i - 1].half_angle.rad();
+    const double share = (before - off_nadir) / (before - here);
+    deepest = curve[i - 1].depth_m + share * (curve[i].depth_m - curve[i - 1].depth_m);
+    break;
+  }
+  return std::min(sonar.max_range_m, deepest / std::cos(off_nadir));
 }
 
 std::vector<double> beam_angles_rad(const Sonar& sonar, const FanAngles& fan) {

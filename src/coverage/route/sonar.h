@@ -12,6 +12,13 @@ namespace swathplan {
 
 enum class BeamSpacing { equiangular, equidistant };
 
+/// Soundings farther from nadir than `half_angle` are lost where the seafloor lies `depth_m` below
+/// the sonar. Between two limits the angle goes straight from one to the other.
+struct CoverageLimit {
+  double depth_m = 0.0;
+  Angle half_angle;
+};
+
 /// A multibeam echo sounder. Presets are nominal: check your data sheet.
 struct Sonar {
   std::string name = "norbit-iwbms";
@@ -20,8 +27,11 @@ struct Sonar {
   Angle beam_width_along = Angle::degrees(1.9);
   Angle beam_width_across = Angle::degrees(0.9);
   Angle max_opening = Angle::degrees(160);  ///< full fan, (0, 180) degrees
-  double max_ping_rate_hz = 60.0;
+  double max_ping_rate_hz = 60.0;           ///< > 0
   double max_range_m = 275.0;
+  bool dual_swath = false;  ///< two fans a cycle
+  /// How wide the fan still sees at a depth. Empty: as far as the range goes.
+  std::vector<CoverageLimit> coverage_curve = {};
 };
 
 [[nodiscard]] std::vector<Sonar> sonar_presets();
@@ -35,6 +45,9 @@ struct Sonar {
 /// Gap-free half-angle t: the largest for which neighbouring equiangular beams on flat ground are
 /// no farther apart than `cell_m`: 2 t sec^2(t) depth / (beams - 1) = cell. Capped by the sonar.
 [[nodiscard]] Angle gap_free_half_angle(const Sonar& sonar, double depth_m, double cell_m);
+/// Slant range up to which a beam at `angle` from nadir gives soundings, metres: the sonar's range,
+/// or less by its coverage curve.
+[[nodiscard]] double reach_m(const Sonar& sonar, Angle angle);
 /// Angles of the beams from nadir, port negative, ascending.
 [[nodiscard]] std::vector<double> beam_angles_rad(const Sonar& sonar, const FanAngles& fan);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "coverage/tracing/ray_scene_internal.h"
 
@@ -40,6 +41,11 @@ FanTable::FanTable(const Sonar& sonar, const FanAngles& fan_angles, double swath
     if (i > 0) step[i] = static_cast<float>(angles[i] - angles[i - 1]);
   }
   if (beams > 1) step[0] = step[1];
+  // Without a curve the rays end at the sonar's range by themselves.
+  reach.assign(padded, std::numeric_limits<float>::max());
+  for (std::size_t i = 0; i < beams && !sonar.coverage_curve.empty(); ++i) {
+    reach[i] = static_cast<float>(reach_m(sonar, Angle::radians(angles[i])));
+  }
   next_step.assign(padded, 0.0F);
   for (std::size_t i = 0; i < beams; ++i) next_step[i] = step[std::min(i + 1, beams - 1)];
 }

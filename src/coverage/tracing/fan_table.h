@@ -18,6 +18,7 @@ class FanTable {
   std::size_t beams = 0, padded = 0;
   std::vector<float> sine, cosine;
   std::vector<float> step;       ///< radians between beams i - 1 and i; at the ends as beside them
+  std::vector<float> reach;      ///< slant range beyond which a beam gives no sounding, metres
   std::vector<float> next_step;  ///< radians between beams i and i + 1
 };
 

@@ -10,6 +10,8 @@ namespace swathplan {
 namespace {
 
 constexpr std::int32_t kNoBand = -1;
+// Of a beam's hit: its range and the three parts of its normal.
+constexpr std::size_t kHitFloats = 4;
 
 // The fan's plane in the world: starboard is the course turned clockwise by a right angle.
 struct FanPose {
@@ -79,6 +81,17 @@ void to_cells(std::size_t n, const CellFrame& frame, Bands bands, const float* r
   }
 }
 
+// Takes away soundings beyond what their beam reaches; returns the range of the farthest one left.
+SWATHPLAN_EVERY_CPU
+float farthest_within(std::size_t n, const float* reach, float* range) {
+  float farthest = 0.0F;
+  for (std::size_t i = 0; i < n; ++i) {
+    range[i] = range[i] <= reach[i] ? range[i] : 0.0F;
+    farthest = std::max(farthest, range[i]);
+  }
+  return farthest;
+}
+
 void split_into_runs(std::size_t n, const std::int32_t* band, std::uint32_t first, const Ping& ping,
                      BlockTrace& block) {
   for (std::size_t i = 0; i < n;) {
@@ -135,43 +148,82 @@ PingTracer::PingTracer(const RayScene& scene, const Sonar& sonar, double draft_m
       tables_(sonar, swath_share),
       sweep_(sonar) {}
 
-void PingTracer::trace(std::span<const Ping> pings, BlockTrace& block) {
+// A fan in the world: its table, and its beams in the tracer's buffer.
+struct PingTracer::Fan {
+  const FanTable* table;
+  FanBeams beams;
+  const float* across;
+};
+
+PingTracer::Fan PingTracer::aimed(const Ping& ping) {
+  const FanTable& table = tables_.get(ping.fan);
+  const std::size_t n = table.padded;
+  floats_.resize(5 * n);
+  const auto column = [&](std::size_t k) { return floats_.data() + k * n; };
+  const FanPose pose = fan_pose(ping);
+  aim(n, pose, table.sine.data(), table.cosine.data(), column(0), column(1), column(2), column(3));
+  return {&table, {table.beams, n, column(1), column(2), column(3)}, column(0)};
+}
+
+float PingTracer::trace_rays(const Ping& ping, const Fan& fan, float* hits) const {
+  const std::size_t n = fan.beams.padded;
+  const Vec3 origin(ping.position.x(), ping.position.y(), ping.heave_m - draft_);
+  trace_fan(scene_->impl(), origin, fan.beams, static_cast<float>(sonar_->max_range_m),
+            {hits, hits + n, hits + 2 * n, hits + 3 * n});
+  return farthest_within(fan.table->beams, fan.table->reach.data(), hits);
+}
+
+void PingTracer::sort_soundings(const Ping& ping, const Fan& fan, float* hits, BlockTrace& block) {
+  const std::size_t n = fan.beams.padded;
+  band_of_beam_.resize(n);
+  float* const starboard = floats_.data() + 4 * n;
+  const auto first = static_cast<std::uint32_t>(block.cells.size());
+  block.cells.resize(block.cells.size() + n);
+  const CellFrame frame = cell_frame(ping, fan_pose(ping), *grid_);
+  to_cells(n, frame, bands_, hits, fan.across, starboard, block.cells.data() + first,
+           band_of_beam_.data());
+  split_into_runs(fan.table->beams, band_of_beam_.data(), first, ping, block);
+  block.rays += fan.table->beams;
+  if (footprints_) {
+    sweep_.add({fan.table, hits, starboard, fan.beams.dx, fan.beams.dy, fan.beams.dz, hits + n,
+                hits + 2 * n, hits + 3 * n},
+               frame, ping.log, block.swept);
+  }
+}
+
+void PingTracer::start(BlockTrace& block) const {
   block.cells.clear();
   block.runs.resize(bands_.count);
   for (auto& runs : block.runs) runs.clear();
   block.rays = 0;
   block.swept.clear();
-  for (const Ping& ping : pings) trace_ping(ping, block);
+}
+
+void PingTracer::trace(std::span<const Ping> pings, BlockTrace& block) {
+  start(block);
+  for (const Ping& ping : pings) {
+    const Fan fan = aimed(ping);
+    hits_.resize(kHitFloats * fan.beams.padded);
+    trace_rays(ping, fan, hits_.data());
+    sort_soundings(ping, fan, hits_.data(), block);
+  }
   sweep_.flush(block.swept);
 }
 
-void PingTracer::trace_ping(const Ping& ping, BlockTrace& block) {
-  const FanTable& table = tables_.get(ping.fan);
-  const std::size_t n = table.padded;
-  floats_.resize(9 * n);
-  band_of_beam_.resize(n);
-  const auto column = [&](std::size_t k) { return floats_.data() + k * n; };
-  float* const across = column(0);
-  const FanPose pose = fan_pose(ping);
-  aim(n, pose, table.sine.data(), table.cosine.data(), across, column(1), column(2), column(3));
+float PingTracer::trace_rays(const Ping& ping, BlockHits& hits) {
+  const Fan fan = aimed(ping);
+  const std::size_t start = hits.floats.size();
+  hits.starts.push_back(start);
+  hits.floats.resize(start + kHitFloats * fan.beams.padded);
+  return trace_rays(ping, fan, hits.floats.data() + start);
+}
 
-  const Vec3 origin(ping.position.x(), ping.position.y(), ping.heave_m - draft_);
-  const FanBeams beams{table.beams, n, column(1), column(2), column(3)};
-  const FanHits hits{column(4), column(5), column(6), column(7)};
-  trace_fan(scene_->impl(), origin, beams, static_cast<float>(sonar_->max_range_m), hits);
-
-  const auto first = static_cast<std::uint32_t>(block.cells.size());
-  block.cells.resize(block.cells.size() + n);
-  const CellFrame frame = cell_frame(ping, pose, *grid_);
-  to_cells(n, frame, bands_, hits.range, across, column(8), block.cells.data() + first,
-           band_of_beam_.data());
-  split_into_runs(table.beams, band_of_beam_.data(), first, ping, block);
-  block.rays += table.beams;
-  if (footprints_) {
-    sweep_.add(
-        {&table, hits.range, column(8), beams.dx, beams.dy, beams.dz, hits.nx, hits.ny, hits.nz},
-        frame, ping.log, block.swept);
+void PingTracer::sort_soundings(std::span<const Ping> pings, BlockHits& hits, BlockTrace& block) {
+  start(block);
+  for (std::size_t i = 0; i < pings.size(); ++i) {
+    sort_soundings(pings[i], aimed(pings[i]), hits.floats.data() + hits.starts[i], block);
   }
+  sweep_.flush(block.swept);
 }
 
 std::uint64_t count_band(std::span<const BlockTrace> blocks, Bands bands, std::uint32_t band,

@@ -28,16 +28,33 @@ struct BlockTrace {
   std::uint64_t rays = 0;
 };
 
+/// Where the beams of a block of pings met the seafloor, fan after fan.
+struct BlockHits {
+  std::vector<float> floats;        ///< per ping: ranges and normals
+  std::vector<std::size_t> starts;  ///< of each ping, into `floats`
+};
+
 /// Traces blocks of pings; one per thread, for it keeps its buffers.
 class PingTracer {
  public:
   PingTracer(const RayScene& scene, const Sonar& sonar, double draft_m, const CoverageGrid& grid,
              Bands bands, bool footprints, double swath_share);
 
+  /// Traces the pings and sorts their soundings into the grid's cells.
   void trace(std::span<const Ping> pings, BlockTrace& block);
 
+  /// The same in two steps, where the next ping hangs on what this one met. First the rays of one
+  /// ping more of a block; returns the slant range of its farthest sounding, 0 without one.
+  float trace_rays(const Ping& ping, BlockHits& hits);
+  /// Then the cells of a whole block.
+  void sort_soundings(std::span<const Ping> pings, BlockHits& hits, BlockTrace& block);
+
  private:
-  void trace_ping(const Ping& ping, BlockTrace& block);
+  struct Fan;
+  void start(BlockTrace& block) const;
+  Fan aimed(const Ping& ping);
+  float trace_rays(const Ping& ping, const Fan& fan, float* hits) const;
+  void sort_soundings(const Ping& ping, const Fan& fan, float* hits, BlockTrace& block);
 
   const RayScene* scene_;
   const Sonar* sonar_;
@@ -47,7 +64,7 @@ class PingTracer {
   bool footprints_;
   FanTableCache tables_;
   FootprintSweep sweep_;
-  std::vector<float> floats_;
+  std::vector<float> floats_, hits_;
   std::vector<std::int32_t> band_of_beam_;
 };
 

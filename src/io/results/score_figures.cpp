@@ -8,6 +8,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+double share_pct(std::uint64_t part, std::uint64_t whole) {
+  return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
 Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 void add_coverage(Json& json, const Score& score) {
@@ -23,6 +27,9 @@ void add_coverage(Json& json, const Score& score) {
   json["several_legs_pct"] = score.several_legs_pct;
   json["cells"] = score.cells;
   json["pings"] = score.pings;
+  json["mean_ping_spacing_m"] = score.pinging.mean_spacing_m;
+  json["largest_ping_spacing_m"] = score.pinging.largest_spacing_m;
+  json["sound_bound_pings_pct"] = share_pct(score.pinging.sound_bound, score.pinging.intervals);
   json["rays"] = score.rays;
   json["soundings"] = score.soundings;
   json["survey_area_m2"] = score.survey_area_m2;

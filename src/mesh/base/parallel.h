@@ -9,6 +9,7 @@
 #include <vector>
 #else
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #endif
 
 namespace swathplan {
@@ -41,6 +42,16 @@ void for_each_index(Index begin, Index end, const Body& body) {
   if (failure) std::rethrow_exception(failure);
 #else
   tbb::parallel_for(begin, end, body);
+#endif
+}
+
+/// Runs both at once on the threads of the caller's arena; neither may touch what the other writes.
+template <class First, class Second>
+void run_both(const First& first, const Second& second) {
+#ifdef __SANITIZE_THREAD__
+  for_each_index(0, 2, [&](int i) { i == 0 ? first() : second(); });
+#else
+  tbb::parallel_invoke(first, second);
 #endif
 }
 

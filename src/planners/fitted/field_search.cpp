@@ -53,7 +53,7 @@ class CurvedSearch {
         width_(shop.width(kFieldGap)) {}
 
   [[nodiscard]] bool coarse_cells() const {
-    return shop_.options().resolution_m >= kPingsACell * shop_.options().ping_spacing_m;
+    return shop_.options().resolution_m >= kPingsACell * shop_.mean_ping_spacing_m();
   }
 
   /// Lines along fronts from the area's long walls.

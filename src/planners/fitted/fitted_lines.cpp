@@ -55,14 +55,14 @@ constexpr const char* kNoLines =
 double rays_of_plan(const LineWorkshop& shop) {
   const PlanOptions& o = shop.options();
   const double path = 2.0 * area_m2(shop.ground().survey_area) / footprint_width_m(o);
-  return path / o.ping_spacing_m * o.sonar.beams;
+  return path / shop.mean_ping_spacing_m() * o.sonar.beams;
 }
 
 /// Rays of a plan without gaps: many more where the fan is too narrow for the footprint width.
 double rays_without_gaps(LineWorkshop& shop) {
   const PlanOptions& o = shop.options();
   const double path = kPathOfLeast * least_line_m(shop.raster(), shop.width(kGapOfLeast));
-  return path / o.ping_spacing_m * o.sonar.beams;
+  return path / shop.mean_ping_spacing_m() * o.sonar.beams;
 }
 
 bool is_huge(LineWorkshop& shop) { return rays_without_gaps(shop) > kRaysOfHuge; }

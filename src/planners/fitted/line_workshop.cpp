@@ -25,6 +25,10 @@ const std::vector<float>& LineWorkshop::width(double gap) {
   return it->second;
 }
 
+double LineWorkshop::mean_ping_spacing_m() const {
+  return ping_spacing_m(options_, depth_range(*ground_.seafloor).mean);
+}
+
 double LineWorkshop::price() {
   // Fans a little wider than without gaps, as candidates have them.
   constexpr double kGap = 1.2;
@@ -136,7 +140,8 @@ BuiltRoute LineWorkshop::with_smooth_joins(BuiltRoute built) const {
 ScoredRoute LineWorkshop::score(const Route& route, int coarse, Swath swath) const {
   ScoreOptions how;
   how.resolution_m = coarse * options_.resolution_m;
-  how.ping_spacing_m = coarse * options_.ping_spacing_m;
+  how.pings = options_.pings;
+  how.pings.thinning = coarse * options_.pings.thinning;
   how.holiday_m2 = 1e9;
   how.footprint = options_.cover == Cover::footprint;
   how.swath_share = swath == Swath::counted ? counted_share(options_) : 1.0;

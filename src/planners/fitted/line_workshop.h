@@ -35,6 +35,9 @@ class LineWorkshop {
   /// W at a gap of `gap` scoring cells. It is computed once.
   [[nodiscard]] const std::vector<float>& width(double gap);
 
+  /// Metres between pings over the water's mean depth.
+  [[nodiscard]] double mean_ping_spacing_m() const;
+
   /// worth_per_ratio() for this area, from the least metres of line that leave no gap.
   [[nodiscard]] double price();
 

@@ -18,9 +18,11 @@ constexpr int kDescents = 3;
 
 ThinCover::ThinCover(const DepthQuery& depths, const Area& survey_area, const PlanOptions& options)
     : depths_(depths),
+      sonar_(options.sonar),
+      pings_(options.pings),
       draft_m_(options.vehicle.draft_m),
       beams_(options.sonar.beams),
-      ping_spacing_m_(options.ping_spacing_m),
+      speed_mps_(options.vehicle.speed_mps),
       cell_area_m2_(options.resolution_m * options.resolution_m) {
   const Box2 box = extent(survey_area);
   corner_ = box.min - Vec2::Constant(kRim);
@@ -116,7 +118,11 @@ ThinCover::Pull ThinCover::pull(const std::vector<Vec2>& points,
     all[i] = rays(points[i], v.normalized(), fans[i]);
     const double step =
         0.5 * ((points[i + 1] - points[i]).norm() + (points[i] - points[i - 1]).norm());
-    each[i] = step / ping_spacing_m_ * beams_ / kRays;
+    const auto below = depths_.depth(points[i]);
+    const double depth = below ? *below : depths_.nearest_depth(points[i]);
+    const double spacing = ping_spacing_m(sonar_, pings_, depth - draft_m_,
+                                          std::max(fans[i].port, fans[i].starboard), speed_mps_);
+    each[i] = step / spacing * beams_ / kRays;
     for (const Ray& ray : all[i]) {
       around(ray.at, [&](std::size_t c, double fx, double fy) {
         const auto w = static_cast<std::size_t>(width_);

@@ -43,7 +43,9 @@ class ThinCover {
   }
 
   const DepthQuery& depths_;
-  double draft_m_, beams_, ping_spacing_m_, cell_area_m2_;
+  Sonar sonar_;
+  PingTiming pings_;
+  double draft_m_, beams_, speed_mps_, cell_area_m2_;
   Vec2 corner_;
   int width_, height_;
   std::vector<char> wanted_;    // cells whose centre lies in the survey area

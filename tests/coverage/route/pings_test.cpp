@@ -12,7 +12,8 @@ const FanAngles kFan{Angle::degrees(60), Angle::degrees(50)};
 
 std::vector<Ping> all_pings(const Route& route, double spacing, const TrackNoise& noise = {},
                             std::size_t block = 7) {
-  PingWalker walker(route, spacing, noise);
+  const Sonar sonar;
+  PingWalker walker(route, sonar, {.spacing_m = spacing}, noise);
   std::vector<Ping> result;
   std::vector<Ping> part;
   while (walker.next(block, part)) {
@@ -151,15 +152,95 @@ TEST(TrackNoise, TheSeedDecidesAndOneErrorLeavesTheOthersAlone) {
 
 TEST(PingWalker, RefusesWhatMakesNoSense) {
   const Route route = testing::route_through({{0, 0}, {40, 60}}, kFan);
-  EXPECT_THROW(PingWalker(route, 0.0, {}), UsageError);
-  EXPECT_THROW(PingWalker(route, -1.0, {}), UsageError);
-  EXPECT_THROW(PingWalker(route, std::nan(""), {}), UsageError);
+  const Sonar sonar;
+  for (const double spacing : {0.0, -1.0, std::nan("")}) {
+    EXPECT_THROW(PingWalker(route, sonar, {.spacing_m = spacing}, {}), UsageError);
+  }
   TrackNoise noise;
   noise.lateral_sigma_m = -1;
-  EXPECT_THROW(PingWalker(route, 1.0, noise), UsageError);
+  EXPECT_THROW(PingWalker(route, sonar, {.spacing_m = 1.0}, noise), UsageError);
   noise.lateral_sigma_m = 1;
   noise.correlation_length_m = 0;
-  EXPECT_THROW(PingWalker(route, 1.0, noise), UsageError);
+  EXPECT_THROW(PingWalker(route, sonar, {.spacing_m = 1.0}, noise), UsageError);
+}
+
+// Pings by the clock whose farthest sounding always lies as far.
+std::vector<Ping> clock_pings(const Route& route, const Sonar& sonar, double range_m,
+                              PingTiming timing = {.spacing_m = {}}) {
+  PingWalker walker(route, sonar, timing, {});
+  std::vector<Ping> result;
+  std::vector<Ping> part;
+  while (walker.next(5, part, [&](const Ping&) { return range_m; })) {
+    result.insert(result.end(), part.begin(), part.end());
+  }
+  return result;
+}
+
+TEST(PingClock, TheLargestRateBindsInShoalWaterAndTheWayOfTheSoundInDeepWater) {
+  Sonar sonar;
+  sonar.max_ping_rate_hz = 50.0;
+  const PingTiming timing{.spacing_m = {}};
+  EXPECT_DOUBLE_EQ(ping_interval_s(sonar, timing, 10.0), 1.0 / 50.0);
+  EXPECT_FALSE(sound_binds(sonar, timing, 10.0));
+  EXPECT_DOUBLE_EQ(ping_interval_s(sonar, timing, 135.0), 2.0 * 135.0 / (0.9 * 1500.0));
+  EXPECT_TRUE(sound_binds(sonar, timing, 135.0));
+  sonar.dual_swath = true;
+  EXPECT_DOUBLE_EQ(ping_interval_s(sonar, timing, 135.0), 135.0 / (0.9 * 1500.0));
+}
+
+TEST(PingClock, SpacingOnLevelGroundHasItsClosedForm) {
+  const Sonar sonar;
+  const double spacing = ping_spacing_m(sonar, {.spacing_m = {}, .sound_speed_mps = 1480.0}, 40.0,
+                                        Angle::degrees(60), 2.5);
+  EXPECT_NEAR(spacing, 2.5 * 2.0 * (40.0 / 0.5) / (0.9 * 1480.0), 1e-12);
+}
+
+TEST(PingWalker, ByTheClockEachRowsSpeedDecidesHowFarApartItsPingsLie) {
+  // 0.1 s a ping; the second leg is sailed at half the speed, and the clock runs on into it.
+  Route route = testing::route_through({{0, 0}, {0, 1.05}, {0, 2.0}}, kFan);
+  route.waypoints[0].speed_mps = 2.0;
+  route.waypoints[1].speed_mps = 1.0;
+  Sonar sonar;
+  sonar.max_ping_rate_hz = 10.0;
+  const std::vector<Ping> pings = clock_pings(route, sonar, 1.0);
+  std::vector<double> y;
+  for (const Ping& ping : pings) y.push_back(ping.position.y());
+  const std::vector<double> expected{0,     0.2,   0.4,   0.6,   0.8,   1.0,   1.125, 1.225,
+                                     1.325, 1.425, 1.525, 1.625, 1.725, 1.825, 1.925};
+  ASSERT_EQ(y.size(), expected.size());
+  for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(y[i], expected[i], 1e-9) << i;
+}
+
+TEST(PingWalker, ByTheClockAPingWithoutASoundingCountsWithTheRangeBefore) {
+  const Route route = testing::route_through({{0, 0}, {0, 10}}, kFan);
+  Sonar sonar;
+  sonar.max_ping_rate_hz = 1000.0;
+  PingWalker walker(route, sonar, {.spacing_m = {}}, {});
+  std::vector<Ping> pings;
+  // Route speed 2 m/s: a range of 67.5 m makes 0.1 s and 0.2 m.
+  const auto first_only = [&](const Ping& ping) { return ping.position.y() > 0.0 ? 0.0 : 67.5; };
+  ASSERT_TRUE(walker.next(1000, pings, first_only));
+  ASSERT_EQ(pings.size(), 51U);
+  EXPECT_NEAR(pings[50].position.y(), 10.0, 1e-9);
+  const PingFigures figures = walker.figures();
+  EXPECT_EQ(figures.intervals, 50U);
+  EXPECT_EQ(figures.sound_bound, 50U);
+  EXPECT_NEAR(figures.mean_spacing_m, 0.2, 1e-12);
+  EXPECT_NEAR(figures.largest_spacing_m, 0.2, 1e-12);
+  EXPECT_DOUBLE_EQ(figures.longest_range_m, 67.5);
+}
+
+TEST(PingWalker, TheClockRunsOnThroughLegsWithTheSonarOff) {
+  Route route = testing::route_through({{0, 0}, {0, 1}, {0, 2}, {0, 3}}, kFan);
+  route.waypoints[1].fan.reset();
+  Sonar sonar;
+  sonar.max_ping_rate_hz = 1000.0;
+  const std::vector<Ping> pings = clock_pings(route, sonar, 0.3 * 337.5);  // 0.3 m apart
+  std::vector<double> y;
+  for (const Ping& ping : pings) y.push_back(ping.position.y());
+  const std::vector<double> expected{0, 0.3, 0.6, 0.9, 2.1, 2.4, 2.7, 3.0};
+  ASSERT_EQ(y.size(), expected.size());
+  for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(y[i], expected[i], 1e-9) << i;
 }
 
 }  // namespace

@@ -90,11 +90,11 @@ void compare(const TestGround& g, const Route& route, const Sonar& sonar, double
              double spacing) {
   ScoreOptions options;
   options.resolution_m = resolution;
-  options.ping_spacing_m = spacing;
+  options.pings.spacing_m = spacing;
   const Vehicle vehicle;
   const ScoredRoute scored = score(route, g.ground, sonar, vehicle, options);
   Expected expected(scored.grid);
-  PingWalker walker(route, spacing, {});
+  PingWalker walker(route, sonar, {.spacing_m = spacing}, {});
   std::vector<Ping> pings;
   while (walker.next(100, pings)) {
     for (const Ping& p : pings) expected.add(p, pieces(p, g.scene, sonar, vehicle.draft_m));
