@@ -1,0 +1,152 @@
+#include "coverage/standards/area_rate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mesh/base/require.h"
+
+namespace swathplan {
+
+namespace {
+
+// Halvings of [0, 90) degrees: far below the rounding of the formulas.
+constexpr int kHalvings = 60;
+// Thirds of the same: 0.618^n, down to about 1e-8 rad, where the rate no longer changes.
+constexpr int kSections = 44;
+
+void check_question(const RateQuestion& q) {
+  require(q.sonar.beams >= 2, "beams", q.sonar.beams, "at least 2");
+  require_positive("ping rate", q.sonar.max_ping_rate_hz);
+  require_positive("range of the sonar", q.sonar.max_range_m);
+  require(q.max_half_angle.deg() > 0.0 && q.max_half_angle.deg() < 90.0, "half-angle",
+          q.max_half_angle.deg(), "above 0 and under 90 degrees");
+  require(q.fans_a_cycle >= 1, "fans a cycle", q.fans_a_cycle, "at least 1");
+  require_positive("resolution", q.cell_m);
+  require_positive("soundings", q.soundings);
+  require_positive("speed", q.max_speed_mps);
+  require(q.least_speed_mps >= 0.0 && q.least_speed_mps <= q.max_speed_mps, "least speed",
+          q.least_speed_mps, "0 or more and at most the speed");
+  require_positive("sound speed", q.sound_speed_mps);
+}
+
+double edge_spacing_m(const RateQuestion& q, double depth, double t) {
+  const double gaps = q.sonar.beams - 1;
+  const double cosine = std::cos(t);
+  return q.sonar.spacing == BeamSpacing::equiangular ? 2.0 * t * depth / (gaps * cosine * cosine)
+                                                     : 2.0 * depth * std::tan(t) / gaps;
+}
+
+AreaRate rate_at(const RateQuestion& q, double depth, double t) {
+  AreaRate rate;
+  rate.half_angle = Angle::radians(t);
+  rate.beam_spacing_m = edge_spacing_m(q, depth, t);
+  rate.ping_interval_s = ping_interval_s(q, depth / std::cos(t));
+  const double one_ping = q.cell_m / rate.ping_interval_s;
+  const double soundings =
+      q.cell_m * q.cell_m / (q.soundings * rate.beam_spacing_m * rate.ping_interval_s);
+  rate.speed_mps = std::min({q.max_speed_mps, one_ping, soundings});
+  rate.limit = rate.speed_mps == q.max_speed_mps ? RateLimit::vehicle
+               : rate.speed_mps == one_ping      ? RateLimit::one_ping
+                                                 : RateLimit::soundings;
+  rate.rate_m2ps = 2.0 * depth * rate.speed_mps * std::tan(t);
+  return rate;
+}
+
+bool serves(const RateQuestion& q, double depth, const AreaRate& rate) {
+  return rate.beam_spacing_m <= q.cell_m && rate.speed_mps >= q.least_speed_mps &&
+         depth / cos(rate.half_angle) <= q.sonar.max_range_m;
+}
+
+// All three conditions tighten as the fan opens, so those that serve are an interval from 0 on.
+double widest_serving(const RateQuestion& q, double depth) {
+  const auto good = [&](double t) { return serves(q, depth, rate_at(q, depth, t)); };
+  double high = q.max_half_angle.rad();
+  if (good(high)) return high;
+  double low = 0.0;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (good(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+// Opening the fan, the rate first rises (the vehicle or one ping a cell hold the speed) and then
+// falls (the soundings do), so it has one summit.
+double summit(const RateQuestion& q, double depth, double widest) {
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  const auto rate = [&](double t) { return rate_at(q, depth, t).rate_m2ps; };
+  double low = 0.0;
+  double high = widest;
+  for (int i = 0; i < kSections; ++i) {
+    const double a = high - golden * (high - low);
+    const double b = low + golden * (high - low);
+    if (rate(a) < rate(b)) {
+      low = a;
+    } else {
+      high = b;
+    }
+  }
+  const double t = 0.5 * (low + high);
+  return rate(widest) >= rate(t) ? widest : t;
+}
+
+std::optional<AreaRate> best_of(const RateQuestion& q, double depth) {
+  // A fan narrower than this, in radians, is none.
+  constexpr double kNoFan = 1e-6;
+  const double widest = widest_serving(q, depth);
+  if (widest < kNoFan) return std::nullopt;
+  return rate_at(q, depth, summit(q, depth, widest));
+}
+
+}  // namespace
+
+double ping_interval_s(const RateQuestion& q, double range_m) {
+  const double way = 2.0 * range_m / (kCycleForSound * q.sound_speed_mps);
+  return std::max(1.0 / q.sonar.max_ping_rate_hz, way) / q.fans_a_cycle;
+}
+
+std::optional<AreaRate> area_rate(const RateQuestion& question, double depth_m, Angle half_angle) {
+  check_question(question);
+  require_positive("depth below the sonar", depth_m);
+  require(half_angle.deg() > 0.0 && half_angle.deg() < 90.0, "half-angle", half_angle.deg(),
+          "above 0 and under 90 degrees");
+  const AreaRate rate = rate_at(question, depth_m, half_angle.rad());
+  return serves(question, depth_m, rate) ? std::optional(rate) : std::nullopt;
+}
+
+std::optional<AreaRate> best_area_rate(const RateQuestion& question, double depth_m) {
+  check_question(question);
+  require_positive("depth below the sonar", depth_m);
+  return best_of(question, depth_m);
+}
+
+LeastHours least_hours(const RateQuestion& question, std::span<const DepthArea> places) {
+  check_question(question);
+  struct DepthBin {
+    double area_m2 = 0.0, volume_m3 = 0.0;
+  };
+  std::map<long, DepthBin> bins;
+  for (const DepthArea& place : places) {
+    if (!(place.depth_m > 0.0) || !(place.area_m2 > 0.0)) continue;
+    DepthBin& bin = bins[std::lround(std::log(place.depth_m) / kDepthBin)];
+    bin.area_m2 += place.area_m2;
+    bin.volume_m3 += place.area_m2 * place.depth_m;
+  }
+  LeastHours result;
+  for (const auto& [key, bin] : bins) {
+    const double depth = bin.volume_m3 / bin.area_m2;
+    const std::optional<AreaRate> best = best_of(question, depth);
+    if (best) {
+      result.area_m2 += bin.area_m2;
+      result.hours += bin.area_m2 / best->rate_m2ps / 3600.0;
+      result.deepest_m = depth;
+    } else {
+      result.unreachable_m2 += bin.area_m2;
+      if (result.shoalest_unreachable_m == 0.0) result.shoalest_unreachable_m = depth;
+    }
+  }
+  return result;
+}
+
+}  // namespace swathplan

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "coverage/route/sonar.h"
+
+namespace swathplan {
+
+/// What is asked of a fan over level ground. The sonar gives beams, their spacing, the largest ping
+/// rate and the range.
+struct RateQuestion {
+  Sonar sonar;
+  Angle max_half_angle = Angle::degrees(65);  ///< (0, 90) degrees
+  int fans_a_cycle = 1;                       ///< 2: dual swath
+  double cell_m = 1.0;                        ///< > 0
+  double soundings = 5.0;                     ///< wanted a cell at the swath's edge, > 0
+  double max_speed_mps = 4.0;                 ///< > 0
+  double least_speed_mps = 0.0;               ///< the boat steers no slower, >= 0
+  double sound_speed_mps = 1500.0;            ///< > 0
+};
+
+/// What of the cycle between two pings is left for the sound's way; the sonar works the rest.
+inline constexpr double kCycleForSound = 0.9;
+
+/// What holds the speed down.
+enum class RateLimit {
+  vehicle,   ///< its own largest speed
+  one_ping,  ///< a ping in each cell along the course
+  soundings  ///< the soundings wanted a cell
+};
+
+/// How fast a fan surveys.
+struct AreaRate {
+  Angle half_angle;
+  double beam_spacing_m = 0.0;   ///< between neighbouring beams at the swath's edge
+  double ping_interval_s = 0.0;  ///< between pings
+  double speed_mps = 0.0;        ///< largest
+  double rate_m2ps = 0.0;        ///< swath width x speed
+  RateLimit limit = RateLimit::vehicle;
+};
+
+/// Seconds between pings of a fan whose farthest sounding lies at `range_m`: no faster than the
+/// sonar can, no sooner than its sound is back.
+[[nodiscard]] double ping_interval_s(const RateQuestion& question, double range_m);
+
+/// The rate of a fan `depth_m` above level ground. Empty where it does not serve: its beams stand
+/// farther apart than a cell or beyond the sonar's range, or it asks for less than the least speed.
+/// @throws UsageError for a question, depth or angle out of range.
+[[nodiscard]] std::optional<AreaRate> area_rate(const RateQuestion& question, double depth_m,
+                                                Angle half_angle);
+
+/// The fan with the largest rate; empty where no fan serves.
+/// Guarantees: no half-angle up to the largest has a rate higher by more than a millionth.
+[[nodiscard]] std::optional<AreaRate> best_area_rate(const RateQuestion& question, double depth_m);
+
+/// Ground of one depth below the sonar.
+struct DepthArea {
+  double depth_m = 0.0, area_m2 = 0.0;
+};
+
+/// The fewest hours that the ground can be surveyed in: each place by its best fan, lines at the
+/// largest speed, no turn, no overlap.
+struct LeastHours {
+  double hours = 0.0;
+  double area_m2 = 0.0;                                  ///< that the hours are of
+  double unreachable_m2 = 0.0;                           ///< where no fan serves
+  double deepest_m = 0.0, shoalest_unreachable_m = 0.0;  ///< depths below the sonar; 0: none
+};
+/// Places without depth below the sonar add nothing. Depths within kDepthBin of one another are
+/// taken together, by their mean. O(places).
+[[nodiscard]] LeastHours least_hours(const RateQuestion& question,
+                                     std::span<const DepthArea> places);
+inline constexpr double kDepthBin = 0.005;  ///< share of the depth
+
+}  // namespace swathplan
