@@ -9,6 +9,7 @@
 #include <set>
 
 #include "apps/config_file.h"
+#include "apps/profiles.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
@@ -83,8 +84,11 @@ void set_from_config(const Option& option, const ConfigEntry& entry,
 
 /// Fills what was not typed. Options of other commands are passed over, so that one file can serve
 /// several commands.
-void read_config_into(const std::vector<Registered>& rows, const OptionTable& of_all_commands,
-                      const std::filesystem::path& config) {
+/// Returns what it filled.
+std::set<std::string> read_config_into(const std::vector<Registered>& rows,
+                                       const OptionTable& of_all_commands,
+                                       const std::filesystem::path& config) {
+  std::set<std::string> names;
   OptionTable table;
   for (const Registered& r : rows) table.push_back(r.row);
   std::set<const Option*> filled;
@@ -100,6 +104,26 @@ void read_config_into(const std::vector<Registered>& rows, const OptionTable& of
     }
     if (rows[static_cast<std::size_t>(row - table.data())].typed->count() > 0) continue;
     set_from_config(*row, entry, config);
+    names.insert(row->name);
+  }
+  return names;
+}
+
+/// Fills from the profile what neither was typed nor stands in the configuration file.
+void apply_profile(const std::vector<Registered>& rows, const std::set<std::string>& configured) {
+  const auto chosen = std::find_if(rows.begin(), rows.end(),
+                                   [](const Registered& r) { return r.row.flag == "--profile"; });
+  if (chosen == rows.end()) return;
+  check(chosen->row);
+  const std::string& name = *std::get<std::string*>(chosen->row.slot);
+  for (const Profile& profile : kProfiles) {
+    if (profile.name != name) continue;
+    for (const ProfileRow& line : profile.rows) {
+      for (const Registered& r : rows) {
+        const bool given = r.typed->count() > 0 || configured.count(r.row.name) > 0;
+        if (r.row.name == line.name && !given) set(r.row, {std::string(line.value)});
+      }
+    }
   }
 }
 
@@ -121,7 +145,9 @@ void fill_and_check(const std::vector<Registered>& rows, const OptionTable& of_a
     if (r.typed->count() == 0) continue;
     set(r.row, is_switch(r.row) ? std::vector<std::string>{"true"} : r.typed->results());
   }
-  if (!config.empty()) read_config_into(rows, of_all_commands, config);
+  std::set<std::string> configured;
+  if (!config.empty()) configured = read_config_into(rows, of_all_commands, config);
+  apply_profile(rows, configured);
   OptionTable table;
   for (const Registered& r : rows) {
     check(r.row);

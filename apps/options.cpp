@@ -1,8 +1,11 @@
 #include "apps/options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
+#include "apps/profiles.h"
 #include "coverage/route/sonar.h"
 #include "coverage/route/vehicle.h"
 #include "io/exports/route_export.h"
@@ -145,6 +148,22 @@ OptionTable noise_options(NoiseChoice& o) {
 
 }  // namespace
 
+Option profile_option(std::string& profile) {
+  std::vector<std::string> names;
+  std::string help = "What is taken where nothing is given;";
+  for (const Profile& p : kProfiles) {
+    names.emplace_back(p.name);
+    help += fmt::format(" {}: {} (", p.name, p.what);
+    for (const ProfileRow& row : p.rows) {
+      help += fmt::format("{}{} = {}", &row == p.rows.data() ? "" : ", ", row.name, row.value);
+    }
+    help += ");";
+  }
+  help.back() = ' ';
+  help += "a file of such lines as --config is a profile of your own";
+  return choice("--profile", "Profile", profile, names, help, "profile");
+}
+
 OptionTable vehicle_options(VehicleChoice& o) {
   return {
       choice("--vehicle", kVehicleGroup, o.preset, names_of(vehicle_presets()),
@@ -156,7 +175,15 @@ OptionTable vehicle_options(VehicleChoice& o) {
       real("--squat", kVehicleGroup, o.squat_m, kMetres, at_least(0.0),
            "Deeper by this under way, metres", "squat_m"),
       real("--clearance", kVehicleGroup, o.clearance_m, kMetres, at_least(0.0),
-           "Kept from walls, shoals and no-go areas, metres", "clearance_m"),
+           "Kept from walls, shoals and no-go areas, metres (default: half the beam, the position "
+           "error and the margin to walls)",
+           "clearance_m"),
+      real("--beam", kVehicleGroup, o.beam_m, kMetres, at_least(0.0), "Width of the hull, metres",
+           "beam_m"),
+      real("--position-error", kVehicleGroup, o.position_error_m, kMetres, at_least(0.0),
+           "How far off its line the boat may be, metres", "position_error_m"),
+      real("--wall-margin", kVehicleGroup, o.wall_margin_m, kMetres, at_least(0.0),
+           "Room wanted between hull and wall, metres", "wall_margin_m"),
       real("--turn-radius", kVehicleGroup, o.turn_radius_m, kMetres, above(0.0),
            "Smallest turn radius, metres", "turn_radius_m"),
       real("--speed", kVehicleGroup, o.speed_mps, kMetresPerSecond, above(0.0),
@@ -200,8 +227,13 @@ OptionTable scoring_options(SurveyOptions& survey) {
       whole("--threads", kScoringGroup, o.threads, at_least(0.0),
             "Threads; 0: all cores (results do not depend on it)", ""),
   };
-  return joined({cells, sonar_options(survey.sonar), vehicle_options(survey.vehicle), beyond,
-                 noise_options(survey.noise), rest});
+  return joined({{profile_option(survey.profile)},
+                 cells,
+                 sonar_options(survey.sonar),
+                 vehicle_options(survey.vehicle),
+                 beyond,
+                 noise_options(survey.noise),
+                 rest});
 }
 
 OptionTable planning_options(PlanningChoice& o) {
@@ -250,6 +282,21 @@ OptionTable planning_options(PlanningChoice& o) {
              "fitted-lines, edge-following: lines are laid for and judged by cells that a "
              "sounding hits, or by cells in a beam's footprint (wider swaths, fewer lines)",
              "cover"),
+      choice("--counted", kPlanningGroup, o.counted, {"logged", "all"},
+             "Plans are laid for and judged by the soundings of logged lines, or by all, turns too",
+             "counted"),
+      choice("--angles", kPlanningGroup, o.angles, {"line", "ping"},
+             "One pair of half-angles a line, in whole degrees, or anew at each waypoint",
+             "angles"),
+      real("--least-line", kPlanningGroup, o.least_line_m, kMetres, at_least(0.0),
+           "No survey line or infill pass is shorter, metres (default: the larger of 20 m and four "
+           "turn radii)",
+           "least_line_m"),
+      real("--least-speed", kPlanningGroup, o.least_speed_mps, kMetresPerSecond, above(0.0),
+           "Lines are sailed no slower, m/s (default: half the vehicle's speed)",
+           "least_speed_mps"),
+      real("--soundings", kPlanningGroup, o.soundings, kNoUnit, within(1.0, 100.0),
+           "Soundings wanted a cell (default: 1)", "soundings"),
       real("--line-margin", kPlanningGroup, o.line_margin_pct, kPerCent,
            within(0.0, 100.0 * kMostMargin),
            "fitted-lines, edge-following: per cent of the swath by which neighbours overlap, in "

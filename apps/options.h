@@ -38,6 +38,7 @@ struct SonarChoice {
 struct VehicleChoice {
   std::string preset = "wam-v";
   std::optional<double> draft_m, margin_m, squat_m, clearance_m, turn_radius_m;
+  std::optional<double> beam_m, position_error_m, wall_margin_m;
   std::optional<double> speed_mps, turn_speed_mps, transit_speed_mps;
   std::optional<double> endurance_h, contingency_pct, power_w;
 };
@@ -72,12 +73,14 @@ struct PlanningChoice {
   std::optional<double> heading_deg;
   std::string lines = "auto";
   std::optional<double> goal_coverage_pct, goal_length_m, goal_time_h;
-  std::string cover = "hit";
+  std::string cover = "hit", counted = "logged", angles = "line";
+  std::optional<double> least_line_m, least_speed_mps, soundings;
   double line_margin_pct = 0.0;
 };
 
 /// What is planned and scored with.
 struct SurveyOptions {
+  std::string profile = "survey";
   SonarChoice sonar;
   VehicleChoice vehicle;
   NoiseChoice noise;
@@ -99,6 +102,8 @@ struct ExportChoice {
 
 /// FILE and how to read it; optional where a command works without.
 [[nodiscard]] OptionTable site_options(SiteOptions& site, bool with_file = true);
+/// The row that names the profile; command_line.cpp fills from it what nobody gave.
+[[nodiscard]] Option profile_option(std::string& profile);
 [[nodiscard]] OptionTable vehicle_options(VehicleChoice& vehicle);
 /// Scoring, sonar, vehicle and tracking errors.
 [[nodiscard]] OptionTable scoring_options(SurveyOptions& survey);

@@ -150,6 +150,16 @@ PlanOptions planning_of(const SurveyOptions& options, const Survey& survey) {
         "--cover footprint with --hit-only; plans are judged by the footprint score, leave "
         "--hit-only out");
   }
+  result.counted = o.counted == "all" ? Counted::all : Counted::logged;
+  result.angles = o.angles == "ping" ? Angles::ping : Angles::line;
+  result.least_line_m = o.least_line_m.value_or(practical_least_line_m(survey.vehicle));
+  result.least_speed_mps = o.least_speed_mps.value_or(0.5 * survey.vehicle.speed_mps);
+  if (result.least_speed_mps > survey.vehicle.speed_mps) {
+    throw UsageError(
+        fmt::format("--least-speed {:g}; must not be above the speed on lines, {:g} m/s",
+                    result.least_speed_mps, survey.vehicle.speed_mps));
+  }
+  set_if(result.soundings, o.soundings);
   result.cover = o.cover == "footprint" ? Cover::footprint : Cover::hit;
   result.lines_margin = o.line_margin_pct / 100.0;
   return result;
@@ -178,7 +188,10 @@ Vehicle vehicle_of(const VehicleChoice& o) {
   set_if(vehicle.draft_m, o.draft_m);
   set_if(vehicle.under_keel_margin_m, o.margin_m);
   set_if(vehicle.squat_m, o.squat_m);
-  set_if(vehicle.clearance_m, o.clearance_m);
+  set_if(vehicle.beam_m, o.beam_m);
+  set_if(vehicle.position_error_m, o.position_error_m);
+  set_if(vehicle.wall_margin_m, o.wall_margin_m);
+  vehicle.clearance_m = o.clearance_m.value_or(practical_clearance_m(vehicle));
   set_if(vehicle.turn_radius_m, o.turn_radius_m);
   set_if(vehicle.speed_mps, o.speed_mps);
   set_if(vehicle.turn_speed_mps, o.turn_speed_mps);
@@ -220,6 +233,9 @@ VehicleChoice in_force(const VehicleChoice& typed, const Vehicle& vehicle) {
   keep(o.margin_m, vehicle.under_keel_margin_m);
   keep(o.squat_m, vehicle.squat_m);
   keep(o.clearance_m, vehicle.clearance_m);
+  keep(o.beam_m, vehicle.beam_m);
+  keep(o.position_error_m, vehicle.position_error_m);
+  keep(o.wall_margin_m, vehicle.wall_margin_m);
   keep(o.turn_radius_m, vehicle.turn_radius_m);
   keep(o.speed_mps, vehicle.speed_mps);
   keep(o.turn_speed_mps, vehicle.turn_speed_mps);
@@ -241,6 +257,9 @@ SurveyOptions in_force(const SurveyOptions& typed, const Survey& survey) {
   keep(o.noise.heading_sigma_deg, tidy_degrees(noise.heading_sigma));
   keep(o.noise.roll_sigma_deg, tidy_degrees(noise.roll_sigma));
   keep(o.noise.heave_sigma_m, noise.heave_sigma_m);
+  keep(o.planning.least_line_m, survey.planning.least_line_m);
+  keep(o.planning.least_speed_mps, survey.planning.least_speed_mps);
+  keep(o.planning.soundings, survey.planning.soundings);
   keep(o.planning.smallest_region_m2, smallest_region_m2(survey.planning));
   return o;
 }

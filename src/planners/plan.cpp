@@ -89,6 +89,10 @@ FanAngles fan_for_depth(const PlanOptions& options, double depth_m) {
   return {half, half};
 }
 
+double practical_least_line_m(const Vehicle& vehicle) {
+  return std::max(20.0, 4.0 * vehicle.turn_radius_m);
+}
+
 double ping_spacing_m(const PlanOptions& options, double depth_m) {
   const double below_sonar = depth_m - options.vehicle.draft_m;
   return ping_spacing_m(options.sonar, options.pings, below_sonar,

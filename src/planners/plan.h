@@ -45,6 +45,18 @@ enum class LineSource {
   automatic  ///< the simulator picks
 };
 
+/// Which soundings plans are judged by.
+enum class Counted {
+  all,    ///< of every ping, those of turns too
+  logged  ///< of logged legs
+};
+
+/// How long a pair of half-angles holds.
+enum class Angles {
+  ping,  ///< from one waypoint to the next
+  line   ///< the whole line; in whole degrees
+};
+
 struct PlanOptions {
   Sonar sonar;
   Vehicle vehicle;
@@ -75,7 +87,15 @@ struct PlanOptions {
   /// The outer share of either side of a swath that fitted and edge-following lines do not count
   /// on, [0, kMostMargin]. Neighbours overlap by this share of W. Plans are judged by the rest.
   double lines_margin = 0.0;
+  Counted counted = Counted::all;
+  Angles angles = Angles::ping;
+  double least_line_m = 0.0;     ///< no line or infill pass is shorter
+  double least_speed_mps = 0.5;  ///< lines are sailed no slower, (0, the vehicle's speed]
+  double soundings = 1.0;        ///< wanted a cell, >= 1
 };
+
+/// The shortest line that is worth its turns: the larger of 20 m and four turn radii.
+[[nodiscard]] double practical_least_line_m(const Vehicle& vehicle);
 
 /// A route, and what it was made from.
 struct Plan {

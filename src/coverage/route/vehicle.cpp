@@ -10,7 +10,8 @@ std::vector<Vehicle> vehicle_presets() {
        .transit_speed_mps = 2.0,
        .turn_radius_m = 1.5,
        .draft_m = 0.3,
-       .clearance_m = 0.05},
+       .clearance_m = 0.05,
+       .beam_m = 2.4},
       {.name = "small-usv",
        .speed_mps = 2.0,
        .turn_speed_mps = 1.5,
@@ -19,6 +20,7 @@ std::vector<Vehicle> vehicle_presets() {
        .draft_m = 0.5,
        .squat_m = 0.05,
        .clearance_m = 0.05,
+       .beam_m = 1.0,
        .endurance_h = 6.0},
       {.name = "launch",
        .speed_mps = 2.5,
@@ -27,7 +29,8 @@ std::vector<Vehicle> vehicle_presets() {
        .turn_radius_m = 25.0,
        .draft_m = 1.0,
        .squat_m = 0.2,
-       .clearance_m = 0.05},
+       .clearance_m = 0.05,
+       .beam_m = 4.0},
       {.name = "auv",
        .speed_mps = 1.5,
        .turn_speed_mps = 1.5,
@@ -35,6 +38,7 @@ std::vector<Vehicle> vehicle_presets() {
        .turn_radius_m = 15.0,
        .draft_m = 0.5,
        .clearance_m = 0.05,
+       .beam_m = 0.4,
        .endurance_h = 12.0},
   };
 }
@@ -44,6 +48,10 @@ std::optional<Vehicle> vehicle_preset(std::string_view wanted) {
     if (vehicle.name == wanted) return vehicle;
   }
   return std::nullopt;
+}
+
+double practical_clearance_m(const Vehicle& vehicle) {
+  return 0.5 * vehicle.beam_m + vehicle.position_error_m + vehicle.wall_margin_m;
 }
 
 double safe_depth_m(const Vehicle& vehicle) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesh/base/error.h"
+#include "planners/fitted/fewest_hours.h"
 #include "planners/fitted/field_search_internal.h"
 #include "planners/fitted/infill.h"
 #include "planners/fitted/line_workshop.h"
@@ -169,6 +170,9 @@ Plan unseen_plan(LineWorkshop& shop) {
 
 Plan plan_fitted_lines(const Ground& ground, const PlanOptions& options) {
   check(options);
+  if (options.counted == Counted::logged && ground.scene != nullptr) {
+    return plan_fewest_hours(ground, options);
+  }
   LineWorkshop shop(ground, options);
   if (ground.scene == nullptr) return unseen_plan(shop);
   std::vector<JudgedLines> plans;
@@ -189,7 +193,7 @@ Plan plan_fitted_lines(const Ground& ground, const PlanOptions& options) {
   for (const std::size_t i : kept) {
     plan.choices.push_back(plans[i].outcome);
     if (options.lines_margin > 0.0) {
-      const Score whole = shop.score(plans[i].built.route, 1, Swath::whole).score;
+      const ScoredRoute whole = shop.score(plans[i].built.route, 1, Swath::whole);
       plan.choices.back().whole_cover_pct = shop.cover_pct(whole);
     }
   }

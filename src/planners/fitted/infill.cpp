@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "planners/fitted/held_fans.h"
 #include "planners/fitted/infill_passes_internal.h"
 #include "planners/rows/route_stretches.h"
 
 namespace swathplan {
 namespace {
+
+/// Rounding of cutting a pass at the outline, metres.
+constexpr double kPassDust = 1e-6;
 
 /// Stretches in the order they are sailed, with where a pass may go in between.
 class Itinerary {
@@ -110,6 +114,18 @@ class Itinerary {
   const JoinCost& cost_;
 };
 
+double length_of(const InfillPass& pass) { return (pass.to - pass.from).norm(); }
+
+/// The pass, as long at both ends as brings it to `least_m`.
+InfillPass lengthened(InfillPass pass, double least_m) {
+  const double length = length_of(pass);
+  if (length >= least_m || !(length > 0.0)) return pass;
+  const Vec2 end = 0.5 * (least_m - length) / length * (pass.to - pass.from);
+  pass.from -= end;
+  pass.to += end;
+  return pass;
+}
+
 double median_width(const std::vector<float>& width) {
   std::vector<float> positive;
   std::copy_if(width.begin(), width.end(), std::back_inserter(positive),
@@ -128,20 +144,30 @@ InfilledRoute with_infill(const Route& route, const CoverageGrid& grid, LineWork
   const std::vector<float>& width = shop.width(1.0);
   EmptyGround empty(grid, shop, options.least_gain * median_width(width), options.smallest_m2);
   // A pass is no use if the boat cannot turn onto it or away from it.
-  const auto detour = [&](const InfillPass& pass) {
+  const double least = shop.options().least_line_m;
+  const auto detour = [&](const InfillPass& found) {
+    const InfillPass pass = lengthened(found, least);
+    if (least > 0.0 &&
+        shop.lines_in().inside_length(pass.from, pass.to) < length_of(pass) - kPassDust)
+      return std::numeric_limits<double>::infinity();
     if (!shop.connector().has_room({pass.from, pass.to}))
       return std::numeric_limits<double>::infinity();
-    return std::max(0.0, itinerary.cheapest(pass).cost);
+    return std::max(0.0, itinerary.cheapest(pass).cost) + length_of(pass) - length_of(found);
   };
   InfilledRoute result;
   while (result.passes < static_cast<std::size_t>(options.most_passes)) {
-    const auto pass = empty.take_best(detour);
-    if (!pass) break;
-    const Itinerary::Place place = itinerary.cheapest(*pass);
-    const SurveyCurve line = place.backwards ? straight_curve(pass->to, pass->from)
-                                             : straight_curve(pass->from, pass->to);
-    auto points = opened_lines({line}, shop.raster(), width, shop.survey_area(), shop.options(),
-                               {.overlap_m = 0.0, .widest_share = 0.5, .by_distance = false})[0];
+    const auto found = empty.take_best(detour);
+    if (!found) break;
+    const InfillPass pass = lengthened(*found, least);
+    const Itinerary::Place place = itinerary.cheapest(pass);
+    const SurveyCurve line =
+        place.backwards ? straight_curve(pass.to, pass.from) : straight_curve(pass.from, pass.to);
+    auto opened = opened_lines({line}, shop.raster(), width, shop.survey_area(), shop.options(),
+                               {.overlap_m = 0.0, .widest_share = 0.5, .by_distance = false});
+    if (shop.options().counted == Counted::logged) {
+      hold_fans(opened, shop.raster(), shop.survey_area(), shop.options());
+    }
+    std::vector<Waypoint>& points = opened[0];
     for (Waypoint& point : points) {
       point.kind = LegKind::infill;
       point.line.reset();
@@ -164,7 +190,7 @@ InfilledRoute infilled(const Route& route, const Ground& ground, const PlanOptio
   result.built.route = route;
   for (int round = 0; round < rounds; ++round) {
     const ScoredRoute scored = shop.score(result.built.route);
-    if (shop.cover_pct(scored.score) >= enough_pct) break;
+    if (shop.cover_pct(scored) >= enough_pct) break;
     InfilledRoute more = with_infill(result.built.route, scored.grid, shop);
     if (more.passes == 0) break;
     more.passes += result.passes;

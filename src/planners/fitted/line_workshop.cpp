@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planners/fitted/held_fans.h"
 #include "planners/fronts/field_lines.h"
+#include "planners/fronts/rate_width.h"
 
 namespace swathplan {
 
@@ -21,7 +23,11 @@ LineWorkshop::LineWorkshop(const Ground& ground, const PlanOptions& options)
 
 const std::vector<float>& LineWorkshop::width(double gap) {
   auto [it, fresh] = widths_.try_emplace(gap);
-  if (fresh) it->second = width_field(raster_, options_, gap);
+  if (fresh) {
+    it->second = options_.counted == Counted::logged
+                     ? rate_width_field(raster_, options_, gap, options_.lines_margin)
+                     : width_field(raster_, options_, gap);
+  }
   return it->second;
 }
 
@@ -63,6 +69,7 @@ std::vector<std::vector<Waypoint>> LineWorkshop::sailed(const std::vector<Survey
                                                         const LineAnglesOptions& angles) const {
   auto opened = opened_lines(lines, raster_, width, survey_area_, options_, angles);
   std::erase_if(opened, [](const auto& line) { return line.size() < 2; });
+  if (options_.counted == Counted::logged) hold_fans(opened, raster_, survey_area_, options_);
   std::vector<LineEnds> ends;
   ends.reserve(opened.size());
   for (const auto& line : opened) ends.push_back(ends_of(line));
@@ -154,22 +161,37 @@ ScoredRoute LineWorkshop::score(const Route& route, int coarse, Swath swath) con
   return swathplan::score(route, ground_, sonar, options_.vehicle, how);
 }
 
-double LineWorkshop::cover_pct(const Score& score) const {
-  return options_.cover == Cover::footprint ? score.all.footprint_pct.value_or(0.0)
-                                            : score.all.hit_pct;
+double LineWorkshop::cover_pct(const ScoredRoute& scored) const {
+  const CoverageFigures& figures =
+      options_.counted == Counted::logged ? scored.score.logged : scored.score.all;
+  if (options_.cover == Cover::footprint) return figures.footprint_pct.value_or(0.0);
+  if (options_.soundings <= 1.0) return figures.hit_pct;
+  const CoverageGrid& grid = scored.grid;
+  std::size_t served = 0;
+  for (std::size_t i = 0; i < grid.words().size(); ++i) {
+    served += grid.counts(i) && covered(grid, i) ? 1U : 0U;
+  }
+  return 100.0 * static_cast<double>(served) /
+         static_cast<double>(std::max<std::uint64_t>(1, scored.score.cells));
 }
 
 bool LineWorkshop::covered(const CoverageGrid& grid, std::size_t i) const {
-  return options_.cover == Cover::footprint ? grid.footprint(i) : grid.soundings(i) > 0;
+  const bool logged = options_.counted == Counted::logged;
+  if (options_.cover == Cover::footprint) {
+    return logged ? grid.logged_footprint(i) : grid.footprint(i);
+  }
+  const std::uint32_t soundings = logged ? grid.logged_soundings(i) : grid.soundings(i);
+  return soundings >= options_.soundings;
 }
 
 Outcome LineWorkshop::judge(const Route& route, int coarse, std::string what) const {
-  const Score score = this->score(route, coarse).score;
+  const ScoredRoute scored = this->score(route, coarse);
+  const Score& score = scored.score;
   Outcome outcome;
   outcome.length_m = score.route.length_m;
   outcome.length_ratio = score.route.length_m * footprint_width_m(options_) / score.survey_area_m2;
   outcome.cover = options_.cover;
-  outcome.cover_pct = cover_pct(score);
+  outcome.cover_pct = cover_pct(scored);
   outcome.turns = score.route.turns;
   outcome.duration_s = score.route.duration_s;
   outcome.infeasible_legs = score.route.infeasible_legs;

@@ -32,7 +32,8 @@ class LineWorkshop {
   [[nodiscard]] const JoinCost& joins() const { return joins_; }
   /// What joins the lines of all candidates.
   [[nodiscard]] const Connector& connector() const { return connector_; }
-  /// W at a gap of `gap` scoring cells. It is computed once.
+  /// W at a gap of `gap` scoring cells; where logged lines count, the swath with the largest area
+  /// rate at that stretch (rate_width.h). It is computed once.
   [[nodiscard]] const std::vector<float>& width(double gap);
 
   /// Metres between pings over the water's mean depth.
@@ -60,7 +61,7 @@ class LineWorkshop {
   [[nodiscard]] ScoredRoute score(const Route& route, int coarse = 1,
                                   Swath swath = Swath::counted) const;
   /// The share of cells that is covered, as the options count them, %.
-  [[nodiscard]] double cover_pct(const Score& score) const;
+  [[nodiscard]] double cover_pct(const ScoredRoute& scored) const;
   /// Whether cell i of a scored grid is covered, as the options count it.
   [[nodiscard]] bool covered(const CoverageGrid& grid, std::size_t i) const;
   [[nodiscard]] Outcome judge(const Route& route, int coarse, std::string what) const;

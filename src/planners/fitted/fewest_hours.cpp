@@ -1,0 +1,548 @@
+#include "planners/fitted/fewest_hours.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <tuple>
+
+#include "mesh/base/error.h"
+#include "planners/fitted/edge_following.h"
+#include "planners/fitted/infill.h"
+#include "planners/fitted/line_workshop.h"
+#include "planners/fronts/field_lines.h"
+#include "planners/fronts/fitted_straight.h"
+#include "planners/fronts/headland.h"
+#include "planners/fronts/rate_width.h"
+#include "planners/rows/survey_lines.h"
+#include "planners/wording.h"
+
+namespace swathplan {
+namespace {
+
+/// All candidates together may cost this many rays: some seconds of one core.
+constexpr double kHoursRaysOfSearch = 1.5e8;
+/// One candidate's judgement should not cost more than this many.
+constexpr double kHoursRaysOfOne = 3e6;
+constexpr int kHoursCoarsest = 6;
+constexpr int kHoursFewest = 14, kHoursMost = 36;
+constexpr std::size_t kHoursWalls = 3;
+constexpr double kHoursDirectionStepDeg = 15.0;
+constexpr std::size_t kHoursDirections = 4;
+constexpr std::size_t kHoursFinalists = 4;
+/// Where lines stop short of the goal, each point of coverage that is missing takes about this
+/// share of the hours: passes over gaps are shorter than lines and have as many turns.
+constexpr double kHoursOfPoint = 0.1;
+/// Lines run on this share of their swath beyond the area, and are then cut back to where they
+/// still cover some of it.
+constexpr double kHoursRunOn = 0.6;
+/// The ends of lines are worth sailing where a metre brings this share of the swath.
+constexpr double kHoursTrimGain = 0.03;
+/// Straight stretches of the outline count as walls to this share of the swath.
+constexpr double kHoursWallTolerance = 0.1;
+/// Points of lines lie this share of the swath apart, within limits: bends are drawn by them.
+constexpr double kHoursStepOfSwath = 0.02;
+constexpr double kHoursFinestStep = 0.2, kHoursCoarsestStep = 4.0;
+/// Prices of infill: the share of the swath that a metre must bring. The highest price comes first.
+constexpr double kHoursGains[] = {0.3, 0.13, 0.06, 0.03};
+constexpr int kHoursSmoothing = 60;
+/// A detour that a join without a forward way asks for, turn radii.
+constexpr double kHoursDetourRadii = 8.0 * std::numbers::pi;
+
+enum class Kind { rows, field, edges };
+
+/// How a set of lines is laid.
+struct Way {
+  Kind kind = Kind::rows;
+  double azimuth_deg = 0.0;  ///< of rows
+  std::size_t wall = 0;      ///< of the others: the number among the longest walls of each water
+  double overlap = 0.1, stretch = 1.0, percentile = 0.15;
+  bool headland = false;  ///< lines along the walls first, the others in what they leave
+  bool operator==(const Way&) const = default;
+};
+
+struct Tried {
+  Way way;
+  BuiltRoute built;
+  Outcome outcome;
+};
+
+double hours(const Outcome& outcome) { return outcome.duration_s / 3600.0; }
+
+class HoursSearch {
+ public:
+  HoursSearch(const Ground& ground, const PlanOptions& options)
+      : options_(options), shop_(ground, options), goal_(goal_of(options)) {
+    const double cell = shop_.raster().cell_m() * shop_.raster().cell_m();
+    std::vector<DepthArea> places;
+    for (std::size_t i = 0; i < shop_.raster().size(); ++i) {
+      if (!shop_.raster().in_area(i)) continue;
+      places.push_back({shop_.raster().depth(i) - options.vehicle.draft_m, cell});
+      deepest_ = std::max(deepest_, shop_.raster().depth(i));
+    }
+    least_h_ = least_hours(rate_question(options), places).hours;
+    goal_ *= coverable();
+    walls_ = walls_without_room(ground.survey_area, AreaQuery(ground.water),
+                                2.0 * options.vehicle.turn_radius_m, shop_.raster().cell_m());
+    const std::vector<float>& width = this->width(1.0, 0.0);
+    std::vector<float> some;
+    std::copy_if(width.begin(), width.end(), std::back_inserter(some),
+                 [](float w) { return w > 0.0F; });
+    if (some.empty()) return;
+    const auto low = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 10);
+    std::nth_element(some.begin(), low, some.end());
+    swath_m_ = static_cast<double>(*low);
+  }
+
+  Plan run() {
+    if (!(swath_m_ > 0.0)) throw InvalidInput(kHoursNoLines);
+    plan_the_budget();
+    first_ways();
+    vary_the_best();
+    if (pool_.empty()) throw InvalidInput(kHoursNoLines);
+    finish_the_best();
+    return picked();
+  }
+
+ private:
+  static constexpr const char* kHoursNoLines =
+      "no survey line fits into the water of the survey area; check <area>, <no go>, <least line> "
+      "and the vehicle's draft and clearance";
+
+  static double goal_of(const PlanOptions& options) {
+    return options.goal.coverage_pct.value_or(options.soundings > 1.0 ? kUsualGoalSeveral
+                                                                      : kUsualGoal);
+  }
+
+  [[nodiscard]] const std::vector<float>& width(double stretch, double overlap) {
+    auto [it, fresh] = widths_.try_emplace({stretch, overlap});
+    if (fresh) it->second = rate_width_field(shop_.raster(), options_, stretch, overlap);
+    return it->second;
+  }
+
+  /// The share of the area that some place in safe water may see, by the widest fan over the depth
+  /// there.
+  [[nodiscard]] double coverable() const {
+    const WaterRaster& raster = shop_.raster();
+    std::vector<char> safe(raster.size(), 0);
+    for (std::size_t i = 0; i < raster.size(); ++i) {
+      safe[i] = raster.in_area(i) && shop_.lines_in().contains(raster.centre(i)) ? 1 : 0;
+    }
+    const double tangent = tan(options_.sonar.max_opening / 2.0);
+    std::size_t cells = 0;
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < raster.size(); ++i) {
+      if (!raster.in_area(i)) continue;
+      ++cells;
+      const double below = std::max(0.0, raster.depth(i) - options_.vehicle.draft_m);
+      seen += safe[i] != 0 || any_within(safe, i, below * tangent) ? 1U : 0U;
+    }
+    return cells > 0 ? static_cast<double>(seen) / static_cast<double>(cells) : 1.0;
+  }
+  [[nodiscard]] bool any_within(const std::vector<char>& safe, std::size_t i, double reach) const {
+    const WaterRaster& raster = shop_.raster();
+    const auto n = static_cast<std::ptrdiff_t>(reach / raster.cell_m());
+    const auto columns = static_cast<std::ptrdiff_t>(raster.columns());
+    const auto rows = static_cast<std::ptrdiff_t>(raster.rows());
+    const std::ptrdiff_t c0 = static_cast<std::ptrdiff_t>(i) % columns;
+    const std::ptrdiff_t r0 = static_cast<std::ptrdiff_t>(i) / columns;
+    for (std::ptrdiff_t r = std::max<std::ptrdiff_t>(0, r0 - n); r <= std::min(rows - 1, r0 + n);
+         ++r) {
+      for (std::ptrdiff_t c = std::max<std::ptrdiff_t>(0, c0 - n);
+           c <= std::min(columns - 1, c0 + n); ++c) {
+        if ((c - c0) * (c - c0) + (r - r0) * (r - r0) > n * n) continue;
+        if (safe[static_cast<std::size_t>(r * columns + c)] != 0) return true;
+      }
+    }
+    return false;
+  }
+
+  void plan_the_budget() {
+    const double path = least_line_m(shop_.raster(), width(1.0, 0.1)) * 1.2;
+    const double rays = path / shop_.mean_ping_spacing_m() * options_.sonar.beams;
+    while (coarse_ < kHoursCoarsest && rays / (coarse_ * coarse_) > kHoursRaysOfOne) ++coarse_;
+    const double each = rays / (coarse_ * coarse_);
+    budget_ = std::clamp(static_cast<int>(kHoursRaysOfSearch / std::max(each, 1.0)), kHoursFewest,
+                         kHoursMost);
+  }
+
+  // --- lines of a way
+
+  /// The water that a way's lines are laid in, and the lines along the walls around it.
+  struct Site {
+    WaterRaster raster;
+    std::vector<float> width;
+    std::vector<SurveyCurve> headland;
+  };
+
+  [[nodiscard]] const Site& site(const Way& way) {
+    const std::vector<float>& w = width(way.stretch, way.overlap);
+    const auto [it, fresh] =
+        sites_.try_emplace({way.stretch, way.overlap, way.headland}, Site{shop_.raster(), w, {}});
+    Site& site = it->second;
+    if (!fresh || !way.headland) return site;
+    const double step = std::max(kCurveStep, 0.1 * swath_m_);
+    Headland headland = headland_along(walls_, shop_.raster(), w, step, kHoursSmoothing);
+    site.raster = shop_.raster().only(headland.inner);
+    for (std::size_t i = 0; i < w.size(); ++i) {
+      if (headland.inner[i] == 0) site.width[i] = 0.0F;
+    }
+    site.headland = std::move(headland.lines);
+    return site;
+  }
+
+  [[nodiscard]] std::vector<SurveyCurve> laid(const Way& way) {
+    const Site& inner = site(way);
+    const SweptGround ground(shop_.raster(), width(way.stretch, way.overlap),
+                             options_.vehicle.draft_m);
+    std::vector<SurveyCurve> curves;
+    const bool any =
+        std::any_of(inner.width.begin(), inner.width.end(), [](float w) { return w > 0.0F; });
+    if (any && way.kind == Kind::rows) {
+      curves =
+          fitted_straight_lines(inner.raster, inner.width, shop_.survey_area(), shop_.lines_in(),
+                                {.azimuth = Angle::degrees(way.azimuth_deg),
+                                 .percentile = way.percentile,
+                                 .inset_m = 0.0});
+    } else if (any) {
+      curves = from_walls(way, inner);
+    }
+    for (SurveyCurve& curve : curves) {
+      curve = carried_on(std::move(curve), kHoursRunOn, ground, shop_.lines_in());
+    }
+    const std::size_t of_rows = curves.size();
+    // Last, so that the ends of rows give way to them.
+    for (const SurveyCurve& line : inner.headland) {
+      for (SurveyCurve& piece : cut_to(line, shop_.lines_in())) curves.push_back(std::move(piece));
+    }
+    std::vector<SweptLine> lines = swept(curves, ground);
+    trim_ends(lines, ground, kHoursTrimGain);
+    const double step =
+        std::clamp(kHoursStepOfSwath * swath_m_, kHoursFinestStep, kHoursCoarsestStep);
+    std::vector<SurveyCurve> result;
+    for (SweptLine& line : lines) {
+      SurveyCurve curve{std::move(line.points)};
+      if (length_m(curve) < options_.least_line_m || curve.points.size() < 2) continue;
+      const bool row = way.kind == Kind::rows && result.size() < of_rows;
+      if (!row) {
+        const double apart = length_m(curve) / static_cast<double>(curve.points.size() - 1);
+        curve = splined(curve, std::max(1, static_cast<int>(std::ceil(apart / step))));
+      }
+      for (SurveyCurve& piece : cut_to(resampled(curve, step), shop_.lines_in())) {
+        if (piece.points.size() < 2 || length_m(piece) < options_.least_line_m) continue;
+        result.push_back(std::move(piece));
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::vector<SurveyCurve> from_walls(const Way& way, const Site& inner) {
+    const SweptGround ground(inner.raster, inner.width, options_.vehicle.draft_m);
+    const double tolerance = kHoursWallTolerance * swath_m_;
+    std::vector<SurveyCurve> curves;
+    for (const Polygon& water : shop_.ground().survey_area) {
+      const auto walls = long_walls({water}, tolerance, kHoursWalls);
+      if (walls.empty()) continue;
+      FieldWall wall = walls[std::min(way.wall, walls.size() - 1)];
+      if (way.headland) wall = moved_into(wall, inner);
+      const auto lines = way.kind == Kind::field
+                             ? field_lines(inner.raster, inner.width, shop_.lines_in(), wall,
+                                           tolerance, {.spacing = 1.0, .smooth_passes = 200})
+                             : edge_following_lines(ground, shop_.lines_in(), wall,
+                                                    {.margin = 0.0,
+                                                     .step_m = std::max(kCurveStep, 0.1 * swath_m_),
+                                                     .smooth_passes = kHoursSmoothing});
+      curves.insert(curves.end(), lines.begin(), lines.end());
+    }
+    return curves;
+  }
+
+  /// The wall at the inner edge of the headland along it.
+  [[nodiscard]] static FieldWall moved_into(const FieldWall& wall, const Site& inner) {
+    const Vec2 way = wall.to - wall.from;
+    const Vec2 aside = Vec2(-way.y(), way.x()).normalized();
+    const Vec2 middle = 0.5 * (wall.from + wall.to);
+    for (double off = 0.0; off < way.norm(); off += inner.raster.cell_m()) {
+      for (const double side : {1.0, -1.0}) {
+        const auto cell = inner.raster.cell_at(middle + side * off * aside);
+        if (cell && inner.width[*cell] > 0.0F) {
+          return {wall.from + side * off * aside, wall.to + side * off * aside};
+        }
+      }
+    }
+    return wall;
+  }
+
+  [[nodiscard]] LineAnglesOptions angles(const Way& way) const {
+    return {.overlap_m = 0.5 * options_.resolution_m,
+            .widest_share = 0.6 / (1.0 - way.overlap),
+            .by_distance = false};
+  }
+
+  [[nodiscard]] std::string described(const Way& way) const {
+    std::string what;
+    switch (way.kind) {
+      case Kind::rows:
+        what = fmt::format("straight lines at {} degrees", axis_degrees(way.azimuth_deg));
+        break;
+      case Kind::field:
+        what = fmt::format("field lines from wall {}", way.wall + 1);
+        break;
+      case Kind::edges:
+        what = fmt::format("edge-following lines from wall {}", way.wall + 1);
+        break;
+    }
+    return fmt::format("{}{}, {:.0f} % overlap", what,
+                       way.headland ? " within lines along the walls" : "", 100.0 * way.overlap);
+  }
+
+  // --- search
+
+  /// Hours, with what the missing coverage and the joins that cannot be steered will still cost.
+  [[nodiscard]] double cost_h(const Outcome& o) const {
+    const double detour = kHoursDetourRadii * options_.vehicle.turn_radius_m /
+                          options_.vehicle.turn_speed_mps / 3600.0;
+    const double missing = std::max(0.0, goal_ - o.cover_pct);
+    return hours(o) * (1.0 + kHoursOfPoint * missing) +
+           detour * static_cast<double>(o.infeasible_legs);
+  }
+
+  bool try_way(const Way& way) {
+    if (std::find(known_.begin(), known_.end(), way) != known_.end()) return false;
+    known_.push_back(way);
+    const std::vector<SurveyCurve> curves = laid(way);
+    if (curves.empty()) return false;
+    Tried tried{way, shop_.build(curves, width(way.stretch, way.overlap), angles(way)), {}};
+    if (tried.built.route.waypoints.size() < 2) return false;
+    tried.outcome = shop_.judge(tried.built.route, coarse_, described(way));
+    const bool better = pool_.empty() || cost_h(tried.outcome) < cost_h(pool_[best()].outcome);
+    pool_.push_back(std::move(tried));
+    return better;
+  }
+
+  [[nodiscard]] std::size_t best() const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < pool_.size(); ++i) {
+      if (cost_h(pool_[i].outcome) < cost_h(pool_[best].outcome)) best = i;
+    }
+    return best;
+  }
+
+  [[nodiscard]] std::vector<double> directions() {
+    if (options_.heading) return {options_.heading->deg()};
+    struct Direction {
+      double deg, metres;
+    };
+    std::vector<Direction> list;
+    std::vector<double> azimuths{best_azimuth(shop_.ground().survey_area, swath_m_).deg()};
+    for (double deg = 0.0; deg < 180.0; deg += kHoursDirectionStepDeg) azimuths.push_back(deg);
+    for (const double deg : azimuths) {
+      double metres = 0.0;
+      for (const SurveyCurve& line :
+           fitted_straight_lines(shop_.raster(), width(1.0, 0.1), shop_.survey_area(),
+                                 shop_.lines_in(), {.azimuth = Angle::degrees(deg)})) {
+        metres += length_m(line) + std::max(swath_m_, 3.0 * options_.vehicle.turn_radius_m);
+      }
+      list.push_back({deg, metres});
+    }
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Direction& a, const Direction& b) { return a.metres < b.metres; });
+    std::vector<double> result;
+    for (std::size_t k = 0; k < std::min(kHoursDirections, list.size()); ++k) {
+      result.push_back(list[k].deg);
+    }
+    return result;
+  }
+
+  void first_ways() {
+    for (const bool headland : {true, false}) {
+      if (headland && walls_.empty()) continue;
+      if (options_.lines != LineSource::field) {
+        for (const double deg : directions()) {
+          try_way({.kind = Kind::rows, .azimuth_deg = deg, .headland = headland});
+        }
+      }
+      if (options_.lines == LineSource::straight || options_.heading) continue;
+      for (std::size_t wall = 0; wall < kHoursWalls; ++wall) {
+        try_way({.kind = Kind::field, .wall = wall, .headland = headland});
+        if (!headland) try_way({.kind = Kind::edges, .wall = wall});
+      }
+    }
+  }
+
+  void vary_the_best() {
+    std::vector<Way> varied;
+    while (static_cast<int>(known_.size()) < budget_) {
+      // The best that was not varied yet.
+      std::optional<std::size_t> next;
+      for (std::size_t i = 0; i < pool_.size(); ++i) {
+        if (std::find(varied.begin(), varied.end(), pool_[i].way) != varied.end()) continue;
+        if (!next || cost_h(pool_[i].outcome) < cost_h(pool_[*next].outcome)) next = i;
+      }
+      if (!next) return;
+      const Way base = pool_[*next].way;
+      varied.push_back(base);
+      for (const Way& way : variations(base)) {
+        if (static_cast<int>(known_.size()) >= budget_) return;
+        if (try_way(way)) break;  // go on from there
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<Way> variations(const Way& base) {
+    std::vector<Way> list;
+    const auto vary = [&](auto member, auto value) {
+      Way way = base;
+      way.*member = value;
+      list.push_back(way);
+    };
+    for (const double overlap : {0.03, 0.06, 0.14, 0.2, -0.04, -0.1}) vary(&Way::overlap, overlap);
+    for (const double stretch : {1.15, 1.3, 0.9}) {
+      // Where the fan's limit binds everywhere, the stretch changes nothing.
+      if (width(stretch, base.overlap) != width(base.stretch, base.overlap)) {
+        vary(&Way::stretch, stretch);
+      }
+    }
+    if (base.kind == Kind::rows) {
+      for (const double p : {0.05, 0.3, 0.5}) vary(&Way::percentile, p);
+      if (!options_.heading) {
+        vary(&Way::azimuth_deg, base.azimuth_deg + 5.0);
+        vary(&Way::azimuth_deg, base.azimuth_deg - 5.0);
+      }
+    }
+    return list;
+  }
+
+  // --- the best in full
+
+  void judge_in_full(Tried& tried) {
+    tried.outcome = shop_.judge(tried.built.route, 1, tried.outcome.what);
+    tried.outcome.length_ratio = hours(tried.outcome) / std::max(least_h_, 1e-12);
+    finished_.push_back(tried);
+  }
+
+  void finish_the_best() {
+    std::vector<std::size_t> order(pool_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return cost_h(pool_[a].outcome) < cost_h(pool_[b].outcome);
+    });
+    const std::size_t finalists = coarse_ >= 4 ? 2 : kHoursFinalists;
+    for (std::size_t k = 0; k < std::min(finalists, order.size()); ++k) {
+      Tried tried = std::move(pool_[order[k]]);
+      judge_in_full(tried);
+      fill_in(tried);
+    }
+  }
+
+  void fill_in(const Tried& base) {
+    Tried now = base;
+    std::size_t passes = 0;
+    for (const double gain : kHoursGains) {
+      if (now.outcome.cover_pct >= goal_) return;
+      const CoverageGrid grid = shop_.score(now.built.route).grid;
+      InfilledRoute filled = with_infill(now.built.route, grid, shop_, {.least_gain = gain});
+      if (filled.passes == 0) continue;
+      passes += filled.passes;
+      now.built = std::move(filled.built);
+      now.outcome.what =
+          fmt::format("{}, {}", base.outcome.what, counted(passes, "infill pass", "infill passes"));
+      judge_in_full(now);
+    }
+  }
+
+  // --- the pick
+
+  [[nodiscard]] bool reaches(const Outcome& o) const {
+    const PlanGoal& goal = options_.goal;
+    if (goal.length_m) return o.length_m <= *goal.length_m;
+    if (goal.time_s) return o.duration_s <= *goal.time_s;
+    return o.cover_pct >= goal_;
+  }
+
+  [[nodiscard]] Pick pick_of(const std::vector<Outcome>& list) const {
+    const PlanGoal& goal = options_.goal;
+    const bool most_cover = goal.length_m || goal.time_s;
+    const auto less = [&](const Outcome& a, const Outcome& b) {
+      if (reaches(a) != reaches(b)) return reaches(a);
+      if (most_cover && reaches(a)) return a.cover_pct > b.cover_pct;
+      if (goal.coverage_pct && !reaches(a)) return a.cover_pct > b.cover_pct;
+      return cost_h(a) < cost_h(b);
+    };
+    const auto best = std::min_element(list.begin(), list.end(), less);
+    const auto index = static_cast<std::size_t>(best - list.begin());
+    if (most_cover) {
+      const std::string limit = goal.length_m ? fmt::format("{:g} m of path", *goal.length_m)
+                                              : fmt::format("{:.4g} h", *goal.time_s / 3600.0);
+      return {index, reaches(*best)
+                         ? fmt::format("the most coverage within {}", limit)
+                         : fmt::format("no plan that was tried stays within {}: this one takes the "
+                                       "least for its coverage",
+                                       limit)};
+    }
+    if (reaches(*best)) {
+      return {index, fmt::format("the fewest hours with at least {:.4g} % of the cells covered by "
+                                 "logged lines",
+                                 goal_)};
+    }
+    return {index, fmt::format(
+                       "no plan that was tried reaches {:.4g} %: this one has {}", goal_,
+                       goal.coverage_pct ? "the most coverage" : "the best of hours and coverage")};
+  }
+
+  Plan picked() {
+    // What no other beats in hours and coverage, the quickest first.
+    std::stable_sort(finished_.begin(), finished_.end(), [&](const Tried& a, const Tried& b) {
+      return cost_of_steering(a.outcome) < cost_of_steering(b.outcome);
+    });
+    std::vector<Tried> front;
+    for (Tried& tried : finished_) {
+      const bool beaten = std::any_of(front.begin(), front.end(), [&](const Tried& other) {
+        return other.outcome.cover_pct >= tried.outcome.cover_pct;
+      });
+      if (!beaten) front.push_back(std::move(tried));
+    }
+    Plan plan;
+    for (const Tried& tried : front) plan.choices.push_back(tried.outcome);
+    const Pick pick = pick_of(plan.choices);
+    plan.chosen = pick.index;
+    plan.chosen_why = pick.why;
+    BuiltRoute built = shop_.with_smooth_joins(std::move(front[pick.index].built));
+    plan.route = std::move(built.route);
+    plan.notes = std::move(built.notes);
+    plan.notes.push_back(fmt::format("of {}, {} was picked: {}",
+                                     counted(plan.choices.size(), "choice"),
+                                     plan.choices[pick.index].what, pick.why));
+    return plan;
+  }
+  [[nodiscard]] double cost_of_steering(const Outcome& o) const {
+    Outcome covered = o;
+    covered.cover_pct = 100.0;
+    return cost_h(covered);
+  }
+
+  const PlanOptions& options_;
+  LineWorkshop shop_;
+  double goal_;  ///< per cent of the cells
+  double deepest_ = 0.0;
+  double least_h_ = 0.0;  ///< hours that no plan can go under
+  double swath_m_ = 0.0;  ///< a narrow swath of the area
+  int coarse_ = 1, budget_ = kHoursFewest;
+  std::map<std::pair<double, double>, std::vector<float>> widths_;
+  std::map<std::tuple<double, double, bool>, Site> sites_;
+  std::vector<SurveyCurve> walls_;  ///< of the area, with no room to turn beyond
+  std::vector<Way> known_;
+  std::vector<Tried> pool_, finished_;
+};
+
+}  // namespace
+
+Plan plan_fewest_hours(const Ground& ground, const PlanOptions& options) {
+  check(options);
+  return HoursSearch(ground, options).run();
+}
+
+}  // namespace swathplan

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "planners/plan.h"
+
+namespace swathplan {
+
+/// Lines for the fewest hours: for a survey that is paid by time and judged by what its logged
+/// lines cover. Each place is served by the swath with the largest area rate (area_rate.h).
+/// Straight rows, field lines and edge-following lines are laid by it, over several overlaps and
+/// directions. Lines run on beyond the survey area's edge as far as they still cover some of it.
+/// Each keeps one fan and one speed. The simulator judges candidates by hours and logged coverage;
+/// the best ones are filled in and judged in full. Picks the fewest hours that reach the goal;
+/// without a goal that is kUsualGoal per cent of the cells. `ground` must hold its scene.
+/// @throws InvalidInput where no line fits into the water; UsageError for options out of range.
+[[nodiscard]] Plan plan_fewest_hours(const Ground& ground, const PlanOptions& options);
+
+/// Logged coverage that a plan is to reach where none is asked for, per cent.
+inline constexpr double kUsualGoal = 99.0;
+/// The same where several soundings a cell are wanted, as S-44's annex has it for five.
+inline constexpr double kUsualGoalSeveral = 95.0;
+
+}  // namespace swathplan

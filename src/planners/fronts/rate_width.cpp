@@ -1,0 +1,49 @@
+#include "planners/fronts/rate_width.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swathplan {
+
+RateQuestion rate_question(const PlanOptions& options, double stretch) {
+  RateQuestion question;
+  question.sonar = options.sonar;
+  question.max_half_angle = options.sonar.max_opening / 2.0;
+  question.fans_a_cycle = options.sonar.dual_swath ? 2 : 1;
+  question.cell_m = stretch * options.resolution_m;
+  question.soundings = stretch * stretch * options.soundings;
+  question.max_speed_mps = options.vehicle.speed_mps;
+  question.least_speed_mps = options.least_speed_mps;
+  question.sound_speed_mps = options.pings.sound_speed_mps;
+  return question;
+}
+
+std::vector<float> rate_width_field(const WaterRaster& raster, const PlanOptions& options,
+                                    double stretch, double overlap) {
+  const RateQuestion question = rate_question(options, stretch);
+  // The swath depends on the depth alone, so a table saves one search per cell.
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < raster.size(); ++i) deepest = std::max(deepest, raster.depth(i));
+  constexpr std::size_t kDepths = 512;
+  std::vector<double> table(kDepths + 2, 0.0);
+  const double step = std::max(deepest, 1e-3) / static_cast<double>(kDepths);
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const double depth = static_cast<double>(k) * step;
+    const double below = std::max(depth - options.vehicle.draft_m, 1e-3);
+    const auto best = best_area_rate(question, below);
+    table[k] = best ? 2.0 * below * tan(best->half_angle)
+                    : gap_free_width_m(options, depth, stretch * options.resolution_m);
+  }
+  std::vector<float> widths(raster.size(), 0.0F);
+  for (std::size_t i = 0; i < raster.size(); ++i) {
+    if (!raster.in_area(i)) continue;
+    const double at = raster.depth(i) / step;
+    const auto k = static_cast<std::size_t>(at);
+    const double share = at - static_cast<double>(k);
+    widths[i] =
+        static_cast<float>((1.0 - overlap) * ((1.0 - share) * table[k] + share * table[k + 1]));
+  }
+  return widths;
+}
+
+}  // namespace swathplan
