@@ -75,7 +75,7 @@ Json read_toml(const std::string& text, const std::string& file) {
 }
 
 Json read_json(const std::string& text, const std::string& file) {
-  const Json json = Json::parse(text, nullptr, false);
+  Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) {
     throw UsageError(
         fmt::format("'{}' is no JSON object with options, as score.json and plan.json are", file));

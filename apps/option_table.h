@@ -19,7 +19,7 @@ namespace swathplan {
 
 /// The unit of a value, as messages write it; empty for a pure number.
 using Unit = std::string_view;
-inline constexpr Unit kNoUnit = "", kMetres = "metres", kSquareMetres = "square metres",
+inline constexpr Unit kNoUnit = {}, kMetres = "metres", kSquareMetres = "square metres",
                       kDegrees = "degrees", kMetresPerSecond = "m/s", kHertz = "Hz",
                       kHours = "hours", kPerCent = "per cent", kWatts = "watts";
 

@@ -25,6 +25,7 @@ const char* const kPlanningGroup = "Planning";
 template <class Presets>
 std::vector<std::string> names_of(const Presets& presets) {
   std::vector<std::string> names;
+  names.reserve(presets.size());
   for (const auto& preset : presets) names.push_back(preset.name);
   return names;
 }

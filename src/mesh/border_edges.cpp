@@ -22,6 +22,7 @@ std::vector<Edge> unpaired_by_index(const Seafloor& seafloor) {
     return std::tuple(a.low, a.face, a.corner) < std::tuple(b.low, b.face, b.corner);
   });
   std::vector<Edge> result;
+  result.reserve(single.size());
   for (const EdgeUse& use : single) {
     result.push_back(use.ascends ? Edge{use.low, use.high} : Edge{use.high, use.low});
   }

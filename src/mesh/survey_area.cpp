@@ -42,8 +42,8 @@ std::vector<Ring> boundary_rings(const Seafloor& seafloor) {
   std::vector<Ring> rings;
   for (const auto& [a0, b0] : border) {
     const auto range = next.equal_range(a0);
-    const auto here =
-        std::find_if(range.first, range.second, [&](const auto& e) { return e.second == b0; });
+    const auto here = std::find_if(range.first, range.second,
+                                   [end = b0](const auto& e) { return e.second == end; });
     if (here == range.second) continue;
     next.erase(here);
     Ring ring{seafloor.vertices[a0].head<2>()};

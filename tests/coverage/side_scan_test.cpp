@@ -124,37 +124,5 @@ TEST(SideScan, RefusesBadSonars) {
   refuses([](auto& s) { s.looks = 0.5; });
 }
 
-double volume(const Seafloor& mesh, std::size_t first_face) {
-  double sum = 0.0;
-  for (std::size_t f = first_face; f < mesh.faces.size(); ++f) {
-    const auto& v = mesh.faces[f];
-    sum += mesh.vertices[v[0]].dot(mesh.vertices[v[1]].cross(mesh.vertices[v[2]])) / 6.0;
-  }
-  return sum;
-}
-
-// Closed and facing outward: the signed volume is the body's own.
-TEST(DroppedObjects, AreClosedBodiesOfTheirSize) {
-  const Seafloor bottom = flat(10, 10, 5.0);
-  const double pi = 3.14159265;
-  const auto body = [&](DroppedObject o) {
-    o.base = {5, 5, -5};
-    return volume(with_objects(bottom, {o}), bottom.faces.size());
-  };
-  EXPECT_NEAR(body({ObjectShape::box, {}, 1.0, 2.0, Angle::degrees(30)}), 2.0 * 1.05, 1e-9);
-  const double sphere = 0.5 * 4.0 / 3.0 * pi * 0.125 + pi * 0.25 * 0.55;
-  EXPECT_NEAR(body({ObjectShape::sphere, {}, 1.0, 1.0, {}}), sphere, 0.03 * sphere);
-  const double cylinder = 2.0 * (0.5 * pi * 0.25 + 1.0 * 0.55);
-  EXPECT_NEAR(body({ObjectShape::cylinder, {}, 1.0, 2.0, Angle::degrees(70)}), cylinder,
-              0.03 * cylinder);
-}
-
-TEST(DroppedObjects, LeaveTheSeafloorAsItWas) {
-  const Seafloor bottom = flat(10, 10, 5.0);
-  EXPECT_EQ(with_objects(bottom, {}).faces, bottom.faces);
-  const DroppedObject o{ObjectShape::sphere, Vec3(5, 5, -5), 1.0, 1.0, {}};
-  EXPECT_EQ(top(o), Vec3(5, 5, -4));
-}
-
 }  // namespace
 }  // namespace swathplan

@@ -80,37 +80,5 @@ TEST(Slope, OfATiltedFloorIsItsTilt) {
   EXPECT_NEAR(slope(floor, 7).deg(), 35.0, 0.1);
 }
 
-TEST(Synthetic, SaddleFollowsItsFormula) {
-  const Seafloor floor = saddle();
-  EXPECT_EQ(floor.vertices.size(), 81U * 81U);
-  for (const Vec3& v : floor.vertices) {
-    EXPECT_NEAR(v.z(), (v.x() * v.x() - v.y() * v.y()) / 64.0 - 35.0, 5.1e-4);
-  }
-}
-
-TEST(Synthetic, HarbourIsAHarbour) {
-  const Seafloor floor = harbour();
-  const DepthRange range = depth_range(floor);
-  EXPECT_NEAR(range.min, 3.0, 0.5);
-  EXPECT_NEAR(range.max, 26.0, 0.5);
-  const Vec2 size = extent(floor).size();
-  EXPECT_NEAR(size.x(), 300, 20);
-  EXPECT_NEAR(size.y(), 400, 20);
-}
-
-TEST(Synthetic, SeaIsWideSmoothAndTwentyToTwoHundredMetresDeep) {
-  const Seafloor floor = sea();
-  const DepthRange range = depth_range(floor);
-  EXPECT_NEAR(range.min, 20.0, 0.3);
-  EXPECT_NEAR(range.max, 200.0, 0.3);
-  EXPECT_EQ(extent(floor).size(), Vec2(7400.0, 9300.0));
-  for (std::uint32_t f = 0; f < floor.faces.size(); ++f) EXPECT_LT(slope(floor, f).deg(), 6.0);
-}
-
-TEST(Synthetic, ImpossibleSizesAreRefused) {
-  EXPECT_THROW(static_cast<void>(flat(0, 10, 5)), UsageError);
-  EXPECT_THROW(static_cast<void>(tilted(10, 10, 5, Angle::degrees(90))), UsageError);
-}
-
 }  // namespace
 }  // namespace swathplan

@@ -31,8 +31,9 @@ struct JudgedGrid {
   std::vector<JudgedCell> cells;  ///< row by row
 
   [[nodiscard]] Vec2 centre(std::size_t i) const {
-    return origin + cell_m * Vec2(static_cast<double>(i % columns) + 0.5,
-                                  static_cast<double>(i / columns) + 0.5);
+    const std::size_t row = i / columns;
+    return origin +
+           cell_m * Vec2(static_cast<double>(i % columns) + 0.5, static_cast<double>(row) + 0.5);
   }
 };
 

@@ -15,7 +15,7 @@ SWATHPLAN_EVERY_CPU
 void mark_across(std::uint32_t* words, std::size_t n, std::int32_t cell, const std::int32_t* low,
                  const std::int32_t* high, std::uint32_t flags) {
   for (std::size_t i = 0; i < n; ++i) {
-    words[i] = flagged(words[i], (low[i] <= cell) & (cell <= high[i]) ? flags : 0U);
+    words[i] = flagged(words[i], ((low[i] <= cell) & (cell <= high[i])) ? flags : 0U);
   }
 }
 
@@ -31,7 +31,7 @@ void mark_row(std::int32_t row, std::int32_t low, std::int32_t high, std::uint32
   if (low > high) return;
   mark_along(grid.words().data() + static_cast<std::size_t>(row) * grid.columns() +
                  static_cast<std::size_t>(low),
-             static_cast<std::size_t>(high - low + 1), flags);
+             static_cast<std::size_t>(high - low) + 1, flags);
 }
 
 template <class Visit>

@@ -97,8 +97,9 @@ Refinements read_cells(const fs::path& path, std::optional<double> nodata) {
       o.transform[0],
       std::min(o.transform[3], o.transform[3] + static_cast<double>(o.rows) * o.transform[5]));
   for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t row = i / o.columns;
     const Vec2 cell = corner + Vec2(static_cast<double>(i % o.columns) * size.x(),
-                                    static_cast<double>(i / o.columns) * size.y());
+                                    static_cast<double>(row) * size.y());
     Refinement r;
     r.columns = static_cast<std::size_t>(columns[i]);
     r.rows = static_cast<std::size_t>(rows[i]);
@@ -168,8 +169,9 @@ std::vector<Node> nodes_of(const Refinements& all, const fs::path& path) {
     for (std::size_t i = 0; i < r.columns * r.rows; ++i) {
       const double z = all.heights[r.first + i];
       if (all.overview.is_nodata(z)) continue;
+      const std::size_t row = i / r.columns;
       const Vec2 at = r.south_west + Vec2(static_cast<double>(i % r.columns) * r.step.x(),
-                                          static_cast<double>(i / r.columns) * r.step.y());
+                                          static_cast<double>(row) * r.step.y());
       if (!std::isfinite(z) || !at.allFinite()) {
         throw InvalidInput(
             fmt::format("'{}': a refinement holds a value that is not finite", path.string()));

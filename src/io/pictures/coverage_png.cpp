@@ -56,9 +56,9 @@ void legend(cv::Mat& picture, int top, bool shares) {
   internal::put_text(picture, shares ? "Share of cells without a sounding" : "No sounding",
                      {left, top}, 0.5, internal::kInk);
   for (int i = 1; i <= kEmptySteps; ++i) {
-    const int at = shares ? i : kEmptySteps;
+    const int at = kEmpty + (shares ? i : kEmptySteps);
     swatch(picture, {left + (i - 1) * width, top + 12, width, bar},
-           palette[static_cast<std::size_t>(kEmpty + at)]);
+           palette[static_cast<std::size_t>(at)]);
   }
   if (!shares) return;
   internal::put_text(picture, "0+", {left, top + 50}, 0.45, kFaint);

@@ -22,7 +22,7 @@ class Angle {
   constexpr Angle operator-() const { return Angle(-rad_); }
   constexpr Angle operator*(double s) const { return Angle(rad_ * s); }
   constexpr Angle operator/(double s) const { return Angle(rad_ / s); }
-  constexpr auto operator<=>(const Angle&) const = default;
+  constexpr auto operator<=>(const Angle&) const = default;  // NOLINT(modernize-use-nullptr)
 
  private:
   explicit constexpr Angle(double r) : rad_(r) {}

@@ -33,7 +33,7 @@ struct SharedEdge {
                                                          const std::vector<SharedEdge>& edges);
 
 [[nodiscard]] double face_area(const PlanarMesh& mesh, std::uint32_t face);
-[[nodiscard]] Vec2 face_centroid(const PlanarMesh& mesh, std::uint32_t face);
+[[nodiscard]] Vec2 face_centroid(const PlanarMesh& mesh, std::uint32_t face);  ///< corners' mean
 
 struct PlanarMeshOptions {
   double hypotenuse_m = 25.6;  ///< target length of a face's longest edge, > 0

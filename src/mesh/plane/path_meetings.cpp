@@ -185,7 +185,9 @@ class Meetings {
       to = std::max(to, at);
     };
     for (const auto& [i, j] : place) {
-      const auto at = [&](double share) { return along_[j] + share * (along_[j + 1] - along_[j]); };
+      const auto at = [this, k = j](double share) {
+        return along_[k] + share * (along_[k + 1] - along_[k]);
+      };
       if (near(j, i)) take(along_[j]);
       if (near(j + 1, i)) take(along_[j + 1]);
       if (near(i, j)) take(at(nearest_share(p_[j], p_[j + 1], p_[i])));

@@ -41,8 +41,9 @@ struct JoinCost::Impl {
   }
 
   [[nodiscard]] Vec2 centre(std::int64_t i) const {
-    return origin + cell * Vec2(static_cast<double>(i % columns) + 0.5,
-                                static_cast<double>(i / columns) + 0.5);
+    const std::int64_t row = i / columns;
+    return origin +
+           cell * Vec2(static_cast<double>(i % columns) + 0.5, static_cast<double>(row) + 0.5);
   }
   [[nodiscard]] std::int64_t cell_of(const Vec2& p) const;
   [[nodiscard]] const std::vector<float>& distances(std::int64_t cell_from) const;

@@ -68,7 +68,7 @@ bool rows_need_skips(const PlanOptions& options) {
 std::vector<SurveyLine> ordered(const std::vector<SurveyLine>& lines, const RowOrder& order,
                                 const JoinCost& cost, double turn_radius_m,
                                 const std::optional<Vec2>& start) {
-  const auto given = to_and_fro(lines, start);
+  auto given = to_and_fro(lines, start);
   if (order.to_and_fro) return given;
   std::vector<LineEnds> ends;
   ends.reserve(given.size());

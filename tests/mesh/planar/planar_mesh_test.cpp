@@ -146,23 +146,5 @@ TEST(PlanarMesh, BadInputIsRefused) {
                UsageError);
 }
 
-TEST(SharedEdges, EachInnerEdgeOnce) {
-  // Two triangles and a quad in a row: two inner edges.
-  PlanarMesh mesh;
-  mesh.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {2, 1}};
-  mesh.faces = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5, 2}};
-  const auto edges = shared_edges(mesh);
-  ASSERT_EQ(edges.size(), 2U);
-  EXPECT_EQ(edges[0].face, (std::array<std::uint32_t, 2>{0, 2}));
-  EXPECT_EQ(edges[1].face, (std::array<std::uint32_t, 2>{0, 1}));
-}
-
-TEST(SharedEdges, AnEdgeOfThreeFacesIsRefused) {
-  PlanarMesh mesh;
-  mesh.vertices = {{0, 0}, {1, 0}, {0, 1}, {0, 2}};
-  mesh.faces = {{0, 1, 2}, {0, 1, 3}};
-  EXPECT_THROW(static_cast<void>(shared_edges(mesh)), InvalidInput);
-}
-
 }  // namespace
 }  // namespace swathplan

@@ -218,25 +218,5 @@ TEST(MeshRepair, RefusesWhatIsNoSeafloor) {
   EXPECT_THAT(refusal(s), testing::HasSubstr("vertex 2"));
 }
 
-TEST(MeshAssessment, CountsPartsHolesAndWalls) {
-  Seafloor s = flat(10, 10, 5);
-  const std::size_t faces = s.faces.size();
-  EXPECT_EQ(assess(s).boundary_loops, 1U);
-  // A hole: both faces of one cell that does not touch the border.
-  std::erase_if(s.faces, [&](const Face& f) {
-    const Vec3 middle = (s.vertices[f[0]] + s.vertices[f[1]] + s.vertices[f[2]]) / 3.0;
-    return std::floor(middle.x()) == 4.0 && std::floor(middle.y()) == 4.0;
-  });
-  ASSERT_EQ(s.faces.size(), faces - 2);
-  EXPECT_EQ(assess(s).boundary_loops, 2U);
-  EXPECT_EQ(assess(s).components, 1U);
-  // A second part, far off.
-  const auto first = static_cast<std::uint32_t>(s.vertices.size());
-  s.vertices.insert(s.vertices.end(), {Vec3(90, 0, -1), Vec3(91, 0, -1), Vec3(90, 1, -1)});
-  s.faces.push_back({first, first + 1, first + 2});
-  EXPECT_EQ(assess(s).components, 2U);
-  EXPECT_EQ(assess(s).boundary_loops, 3U);
-}
-
 }  // namespace
 }  // namespace swathplan
