@@ -185,7 +185,7 @@ void check_command(const std::vector<Command>& commands, int argc, const char* c
 
 }  // namespace
 
-int run_commands(const std::string& what, const std::string& version,
+int run_commands(const std::string& what, const std::function<std::string()>& version,
                  const std::vector<Command>& commands, int argc, const char* const* argv) {
   check_command(commands, argc, argv);
   const OptionTable all = options_of(commands);
