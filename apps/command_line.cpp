@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kTypingError = 2;
 
-/// A row and what CLI11 holds of it.
+/// A row and its option in CLI11.
 struct Registered {
   Option row;
   CLI::Option* typed;
@@ -37,7 +37,7 @@ std::string type_name(const Option& option) {
 }
 
 CLI::Option* registered(CLI::App& app, const Option& row) {
-  // CLI11 hides what is in no group.
+  // CLI11 hides options without a group.
   const std::string group = row.group.empty() ? "Options" : row.group;
   if (is_switch(row)) return app.add_flag(row.flag, row.help)->group(group);
   CLI::Option* option = app.add_option(
@@ -82,9 +82,8 @@ void set_from_config(const Option& option, const ConfigEntry& entry,
   **slot = beside;
 }
 
-/// Fills what was not typed. Options of other commands are passed over, so that one file can serve
-/// several commands.
-/// Returns what it filled.
+/// Fills options that were not typed, and returns their names. It ignores options of other
+/// commands, so that one file can serve several commands.
 std::set<std::string> read_config_into(const std::vector<Registered>& rows,
                                        const OptionTable& of_all_commands,
                                        const std::filesystem::path& config) {
@@ -156,7 +155,7 @@ void fill_and_check(const std::vector<Registered>& rows, const OptionTable& of_a
   check_excludes(table);
 }
 
-/// Runs the command; an error about a field of its rows is said in the row's flag.
+/// Runs the command. An error about a field of its rows names the row's flag.
 void run_in_flags(const std::vector<Registered>& rows, const std::function<void()>& run) {
   try {
     run();
@@ -211,7 +210,7 @@ void check_command(const std::vector<Command>& commands, int argc, const char* c
 
 }  // namespace
 
-int run_commands(const std::string& what, const std::string& version,
+int run_commands(const std::string& what, const std::function<std::string()>& version,
                  const std::vector<Command>& commands, int argc, const char* const* argv) {
   check_command(commands, argc, argv);
   const OptionTable all = options_of(commands);

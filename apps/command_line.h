@@ -18,9 +18,10 @@ struct Command {
 };
 
 /// Fills and checks the options of the command that is asked for and runs it. What is typed goes
-/// before what --config says. Returns 0, or what the help or a mistake in typing gives.
+/// before what --config says. `version` is asked for --version only. Returns 0, or what the help or
+/// a mistake in typing gives.
 /// @throws UsageError that names flag, value and rule; whatever the command throws.
-int run_commands(const std::string& what, const std::string& version,
+int run_commands(const std::string& what, const std::function<std::string()>& version,
                  const std::vector<Command>& commands, int argc, const char* const* argv);
 
 }  // namespace swathplan

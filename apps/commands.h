@@ -15,4 +15,7 @@ namespace swathplan {
 /// `adapt accordion|spacing|quality simulate|study|live`.
 [[nodiscard]] Command adapt_command();
 
+/// The program's version, and those of the libraries that it runs with, one a line.
+[[nodiscard]] std::string version_text();
+
 }  // namespace swathplan

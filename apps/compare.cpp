@@ -38,8 +38,8 @@ Provenance provenance_of(const CompareCommand& command, const Survey& survey,
   return provenance;
 }
 
-/// A planner that finds no plan does not take the others with it, unless it was the last hope.
-/// The page says so of every plan, of those made before it too.
+/// A planner that finds no plan is left out, and the others go on; it is an error only if no
+/// planner is left. A note of every plan says so, also of plans that were made before.
 void leave_out(const Planner& planner, const InvalidInput& why, Site& site,
                std::vector<PlannedSurvey>& surveys, bool none_left) {
   if (none_left) throw why;
@@ -61,7 +61,7 @@ void run(const CompareCommand& command) {
   check_folder(command.output.folder);
   const Provenance provenance = provenance_of(command, how, site->imported.input_hash);
   const std::filesystem::path& folder = command.output.folder;
-  // A run that is cut short must not leave the page of an older one beside its own results.
+  // If this run is stopped early, the page of an older run must not stand beside the new results.
   remove_old(folder, {"compare.json", "report.html"});
   write_survey_toml(folder, provenance);
   std::vector<PlannedSurvey> surveys;
@@ -74,7 +74,7 @@ void run(const CompareCommand& command) {
   {
     const Scorer scorer(*site, how, command.output.quiet);
     for (const Planner* p : chosen) {
-      // The last one takes longest as a rule; if it is cut short, the others still have a page.
+      // The last planner usually takes longest. If it is stopped, the others still have a page.
       if (p == chosen.back() && !surveys.empty()) write_overview();
       try {
         surveys.push_back(plan_and_score(*p, *site, how, scorer));

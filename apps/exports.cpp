@@ -17,7 +17,7 @@ ExportOptions export_options(const ExportChoice& choice) {
 
 namespace {
 
-/// Survey lines along which the fan changes.
+/// The number of survey lines along which the fan changes.
 std::size_t lines_of_changing_fan(const Route& route) {
   const std::vector<SurveyRun> runs = survey_runs(route);
   return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), [&](const SurveyRun& r) {

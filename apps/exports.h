@@ -14,12 +14,13 @@ namespace swathplan {
 /// A line for each file: what was kept, and how far it lies from the plan at most.
 [[nodiscard]] std::string export_table(const std::vector<ExportedRoute>& exported);
 
-/// To stderr: legs of the route that cannot be sailed as drawn, fans that the files do not hold,
-/// and the warnings of its exports.
+/// Prints warnings to stderr: legs that cannot be sailed as drawn, fans that the files do not hold,
+/// and what each export warns of.
 void print_export_warnings(const Route& route, const std::vector<ExportedRoute>& exported);
 
-/// Writes the exports of a planned route beside its route.csv, kept to the site's safe water, and
-/// removes those of an older one; their table goes to stderr if there are any, as do warnings.
+/// Writes the exports of a planned route beside its route.csv and removes those of an older one.
+/// Thinned paths stay in the site's safe water. A table of the exports goes to stderr if there are
+/// any, and so do warnings.
 void write_exports(const std::filesystem::path& folder, const Route& route, const Site& site,
                    const ExportOptions& options, bool quiet);
 

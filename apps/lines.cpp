@@ -72,7 +72,7 @@ OptionTable own_options(LinesCommand& c) {
                "Azimuth of straight lines, degrees (default: searched)", "heading_deg")};
 }
 
-/// What of the vehicle the lines depend on.
+/// The rows of the vehicle that lines depend on.
 OptionTable boat_options(VehicleChoice& vehicle) {
   return only(vehicle_options(vehicle),
               {"--vehicle", "--draft", "--margin", "--squat", "--clearance", "--turn-radius",
@@ -107,12 +107,12 @@ std::string row(const std::string& method, const DesignedLines& d) {
                      100.0 * d.figures.missed, 100.0 * d.figures.overlap, d.what);
 }
 
-/// Says that a method could not do what was asked for; empty where it could.
+/// A note if a method misses more than was asked for; else empty.
 std::string missed_note(const std::string& method, const DesignedLines& d, double allowed_pct) {
   if (100.0 * d.figures.missed <= allowed_pct) return {};
   return fmt::format(
-      "note: {}: misses {:.3f} % where --missed {:g} was asked for; what shoals or ragged edges "
-      "leave costs many lines: allow more, or use 'plan' in confined water\n",
+      "note: {}: misses {:.3f} % of the area, more than --missed {:g} allows; shoals and ragged "
+      "edges leave gaps that cost many lines: allow more, or use 'plan' in confined water\n",
       method, 100.0 * d.figures.missed, allowed_pct);
 }
 

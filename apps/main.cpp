@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   try {
     return swathplan::run_commands(
         "Offline hydrographic survey designer: plans routes and predicts their coverage.",
-        SWATHPLAN_VERSION, all_commands(), argc, argv);
+        swathplan::version_text, all_commands(), argc, argv);
   } catch (const swathplan::UsageError& e) {
     return complain(swathplan::in_flags(e), kUsageError);
   } catch (const std::bad_alloc&) {

@@ -43,7 +43,7 @@ void remove_old(const std::filesystem::path& folder, const std::vector<std::stri
 void write_survey(const std::filesystem::path& folder, const PlannedSurvey& survey,
                   const Site& site, const Provenance& provenance) {
   const Frame& frame = site.seafloor().frame;
-  // Left by a run on other data: with a CRS where this has none, or without.
+  // A run on other data may have left the other one of the two: one is for data with a CRS.
   remove_old(folder,
              frame.crs_wkt.empty()
                  ? std::vector<std::string>{"route.geojson", "holidays.geojson"}

@@ -7,14 +7,14 @@
 
 namespace swathplan {
 
-/// Checks that the folder for results can be made and written to, before the work of planning;
-/// leaves all as it was. @throws InvalidInput if not.
+/// Checks before the work of planning that the folder for results can be made and written to.
+/// Leaves everything as it was. @throws InvalidInput if not.
 void check_folder(const std::filesystem::path& folder);
-/// Removes files of an earlier run, those that are there.
+/// Removes the named files of an earlier run, if they are there.
 void remove_old(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
-/// Writes route, score, plan, coverage and holidays of one survey into `folder`; exports of an
-/// older route go.
+/// Writes route, score, plan, coverage and holidays of one survey into `folder`. Exports of an
+/// older route are removed.
 void write_survey(const std::filesystem::path& folder, const PlannedSurvey& survey,
                   const Site& site, const Provenance& provenance);
 
@@ -26,10 +26,10 @@ void write_survey_report(const std::filesystem::path& file, const std::string& t
 /// The table that `plan`, `compare` and `score` print.
 [[nodiscard]] std::string table(const std::vector<PlannedSurvey>& surveys);
 
-/// The choices that a planner had, the picked one marked; empty if it had none.
+/// The choices that a planner offers, with a mark at the picked one; empty if it offers none.
 [[nodiscard]] std::string choices_table(const Plan& plan);
 
-/// Import notes and warnings to stderr.
+/// Prints the notes and warnings of the import to stderr.
 void print_notes(const Site& site, bool quiet);
 
 }  // namespace swathplan

@@ -48,13 +48,10 @@ void note_reach(Site& site, const Survey& survey) {
   const double reach = 2.0 * depth * tan(how.sonar.max_opening / 2.0);
   if (reach >= width) return;
   site.notes.push_back(fmt::format(
-      "a footprint width of {:.4g} m ({} beams, cells of {:g} m) is more than a fan of {:g} "
-      "degrees "
-      "sweeps at the mean depth ({:.4g} m): back-and-forth and multi-depth lines that far apart "
-      "leave "
-      "gaps, and length ratios count in swaths that cannot be had; finer cells (--resolution) "
-      "bring "
-      "lines closer",
+      "the footprint width of {:.4g} m ({} beams, cells of {:g} m) is more than a fan of {:g} "
+      "degrees sweeps at the mean depth ({:.4g} m): lines of back-and-forth and multi-depth lie a "
+      "footprint width apart and leave gaps, and length ratios count in swaths that no fan sweeps; "
+      "smaller cells (--resolution) bring lines closer",
       width, how.sonar.beams, how.resolution_m, how.sonar.max_opening.deg(), reach));
 }
 
@@ -85,7 +82,7 @@ Scorer::Scorer(const Site& site, const Survey& survey, bool quiet)
       scene_(site.seafloor(), survey.scoring.nodata),
       ground_(site.ground(&scene_)),
       quiet_(quiet) {
-  // What cannot be scored is refused before any planner works for it.
+  // A site that cannot be scored is refused before any planner works for it.
   static_cast<void>(grid_size(site.survey_area, survey.scoring.resolution_m));
   check_scale(site, survey);
 }

@@ -10,7 +10,7 @@
 
 namespace swathplan {
 
-/// A planner's name and function; the one list that `plan` and `compare` know.
+/// A planner's name and function. `plan` and `compare` know planners from one list of these.
 struct Planner {
   std::string name, label;
   Plan (*plan)(const Ground&, const PlanOptions&);
@@ -20,20 +20,19 @@ struct Planner {
 /// @throws UsageError for a name that is none, listing those that are.
 [[nodiscard]] const Planner& planner(const std::string& name);
 
-/// A plan that was made and scored, with what is told of it.
+/// A plan with its score and what the outputs say of it.
 struct PlannedSurvey {
   PlanRecord record;
   Plan plan;
   ScoredRoute scored;
   double planning_seconds = 0.0;
 };
-/// Puts it on record: under its name and label, with the notes of the plan and then of the site.
+/// Records a scored plan under its name and label, with the notes of the plan, then of the site.
 [[nodiscard]] PlannedSurvey recorded(const std::string& planner, const std::string& label,
                                      Plan plan, ScoredRoute scored, const Site& site,
                                      const Survey& survey);
 
-/// Notes what the survey asks of the sonar that it cannot do: a footprint width that its fan does
-/// not sweep.
+/// Adds a note if the footprint width is more than the sonar's fan sweeps.
 void note_reach(Site& site, const Survey& survey);
 
 /// What routes of one command are scored on, built once.

@@ -6,7 +6,7 @@
 
 namespace swathplan {
 
-/// A progress bar on stderr with the rate and the time left; silent where stderr is no terminal.
+/// A progress bar on stderr with the rate and the time left. Silent if stderr is no terminal.
 class ProgressBar {
  public:
   ProgressBar(std::string label, bool quiet);

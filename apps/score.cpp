@@ -40,7 +40,8 @@ Provenance provenance_of(const ScoreCommand& command, const Survey& survey,
   return provenance;
 }
 
-/// The fan for routes that do not say: --opening-angle, else W at the mean depth.
+/// The fan for routes that give none: that of --opening-angle, else the one that sweeps W at the
+/// mean depth.
 FanAngles default_fan(const ScoreCommand& command, const Survey& survey, const Site& site) {
   if (command.opening_deg) {
     const double opening = *command.opening_deg;
@@ -49,7 +50,8 @@ FanAngles default_fan(const ScoreCommand& command, const Survey& survey, const S
   return fan_for_depth(survey.planning, depth_range(site.seafloor()).mean);
 }
 
-/// A route that nowhere comes near the data is in another CRS or of another place.
+/// Refuses a route that comes nowhere near the data: it has another CRS or belongs to another
+/// place.
 void check_meets_data(const Route& route, const Site& site, const std::filesystem::path& file) {
   Box2 box = extent(site.seafloor());
   const double reach = std::max(100.0, box.size().norm());
@@ -77,7 +79,7 @@ Plan with_passes(const Plan& plan, const Survey& survey, const Scorer& scorer) {
   return result;
 }
 
-/// What is to be said of the route as given, then of the one with infill.
+/// Prints the notes on the route as given, then on the one with infill.
 void print_notes(const std::vector<PlannedSurvey>& surveys) {
   for (const PlannedSurvey& survey : surveys) {
     for (const std::string& note : survey.plan.notes) {
@@ -127,7 +129,7 @@ void run(const ScoreCommand& command) {
                       *site, provenance);
   if (!command.output.quiet) print_notes(surveys);
   if (command.output.json) {
-    // With infill the figures asked for are those of the route that was made.
+    // With infill, --json prints the figures of the new route.
     fmt::print("{}",
                score_json(surveys.back().record.planner, surveys.back().scored.score, provenance));
   } else if (!command.output.quiet) {

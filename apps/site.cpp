@@ -14,8 +14,8 @@ namespace {
 /// Areas under this are not worth a note, square metres.
 constexpr double kWorthSaying = 1.0;
 
-/// Polygons of very many corners are simplified to this share of the clearance, and to no less than
-/// this, metres: positions are not known better.
+/// Polygons of very many corners are simplified by this share of the clearance, and by no less than
+/// this many metres. Positions are not known better.
 constexpr double kRoundingShare = 0.1;
 constexpr double kLeastRounding = 0.05;
 
@@ -35,20 +35,19 @@ std::string pieces(Area area, const Frame& frame) {
   return text;
 }
 
-/// Says what of the survey area the boat cannot sail in: how much, and where the largest pieces
-/// are.
+/// Notes how much of the survey area the boat cannot sail in, and where the largest pieces are.
 void note_cut_off(Site& site) {
   const Area cut = subtract(site.survey_area, site.water);
   site.cut_off_m2 = area_m2(cut);
   if (site.cut_off_m2 < kWorthSaying) return;
   site.notes.push_back(fmt::format(
       "{:.0f} m2 of the survey area ({:.2f} %) lie outside the boat's safe water, in {}. They "
-      "count in the coverage all the same",
+      "still count in the coverage",
       site.cut_off_m2, 100.0 * site.cut_off_m2 / area_m2(site.survey_area),
       pieces(cut, site.seafloor().frame)));
 }
 
-/// Says what of the water is too shoal to be surveyed with this vehicle.
+/// Notes how much of the water is too shoal for this vehicle.
 void note_shoals(Site& site, const SurveyAreaOptions& bounds) {
   SurveyAreaOptions all = bounds;
   all.safe_depth_m = 0.0;
@@ -56,12 +55,12 @@ void note_shoals(Site& site, const SurveyAreaOptions& bounds) {
   const double shoal_m2 = area_m2(shoal);
   if (shoal_m2 < kWorthSaying) return;
   site.notes.push_back(fmt::format(
-      "{:.0f} m2 of water are shoaler than {:.2f} m (draft, squat and margin) and not part of the "
-      "survey area, in {}. They do not count in the coverage",
+      "{:.0f} m2 of water are shoaler than {:.2f} m (draft, squat and margin), in {}. They are no "
+      "part of the survey area and do not count in the coverage",
       shoal_m2, bounds.safe_depth_m, pieces(shoal, site.seafloor().frame)));
 }
 
-/// The area with the name of its file in what is wrong with it.
+/// Reads an area. An error about it names its file.
 Area limited_area(const Seafloor& seafloor, const SurveyAreaOptions& bounds,
                   const std::filesystem::path& file) {
   try {
@@ -71,7 +70,7 @@ Area limited_area(const Seafloor& seafloor, const SurveyAreaOptions& bounds,
   }
 }
 
-/// The polygons of a file; what of it does not count goes to the site's notes.
+/// The polygons of a file. Shapes that do not count are named in the site's notes.
 Area imported_area(Site& site, const SiteOptions& options, const std::filesystem::path& file,
                    const Box2& data, double clearance_m, Rounding rounding) {
   ImportedArea read =
@@ -85,16 +84,16 @@ Area imported_area(Site& site, const SiteOptions& options, const std::filesystem
   return std::move(read.area);
 }
 
-/// Says what of the area that was asked for cannot be planned, for nothing is known of it.
+/// Notes how much of the area that was asked for cannot be planned, since there are no data.
 void note_beyond_data(Site& site, const Area& asked) {
   const double beyond_m2 = area_m2(subtract(asked, outline(site.seafloor())));
   if (beyond_m2 < kWorthSaying) return;
   site.notes.push_back(fmt::format(
-      "{:.0f} of {:.0f} m2 of the area lie outside the data and are not part of the survey",
+      "{:.0f} of the area's {:.0f} m2 lie outside the data and are no part of the survey",
       beyond_m2, area_m2(asked)));
 }
 
-/// The strip along the data's outer edge, `margin_m` wide: holes in the data are land.
+/// The strip along the data's outer edge, `margin_m` wide. Holes in the data count as land.
 Area beyond_the_edge(const Seafloor& seafloor, double margin_m) {
   Area filled;
   for (const Polygon& polygon : outline(seafloor)) filled.push_back({polygon.outer, {}});

@@ -17,7 +17,7 @@ struct Site {
   std::vector<std::string> notes;  ///< one sentence each, for people
 
   [[nodiscard]] const Seafloor& seafloor() const { return imported.seafloor; }
-  /// What routes of the site are planned and scored on; without a scene planners cannot look.
+  /// What routes of the site are planned and scored on. Without a scene planners cannot simulate.
   [[nodiscard]] Ground ground(const RayScene* scene) const {
     return {&imported.seafloor, depths.get(), survey_area, water, scene};
   }

@@ -18,7 +18,7 @@ struct Survey {
   PlanOptions planning;  ///< without its start, which the seafloor's frame places
   ScoreOptions scoring;
   std::optional<Vec2> start_xy;  ///< where to begin, in the coordinates of the seafloor's file
-  std::string start_text;        ///< ... as it was typed
+  std::string start_text;        ///< the same as it was typed
 };
 
 /// @throws UsageError that names flag, value and rule.
@@ -29,7 +29,7 @@ struct Survey {
 /// The options of the planner, its start placed in the frame.
 [[nodiscard]] PlanOptions planning_in(const Survey& survey, const Frame& frame);
 
-/// What was typed with the values that follow from it, where none was given.
+/// What was typed, with the values that follow from it where none was given.
 [[nodiscard]] VehicleChoice in_force(const VehicleChoice& typed, const Vehicle& vehicle);
 [[nodiscard]] SurveyOptions in_force(const SurveyOptions& typed, const Survey& survey);
 
@@ -38,7 +38,7 @@ struct Survey {
 /// What made an output; options are recorded into it.
 [[nodiscard]] Provenance provenance_of(const std::string& command, const SiteOptions& site,
                                        const std::string& input_hash);
-/// Records the rows of a set that is typed as it is in force.
+/// Records the rows of a set whose values in force are those that were typed.
 void record(Provenance& provenance, const OptionTable& options);
 /// Records sonar, vehicle, tracking errors and scoring.
 void record_scoring(Provenance& provenance, const SurveyOptions& typed, const Survey& survey);

@@ -9,7 +9,8 @@ namespace {
 constexpr double kSunk = 0.05;
 constexpr int kAround = 24;  // facets of a round body: 1 cm off the circle at a metre's radius
 
-// A grid of points, bottom ring first, closed at both ends by a fan around its centre.
+// Adds a surface of rings of points, bottom ring first. Each end is closed by triangles around its
+// centre.
 void add_rings(Seafloor& mesh, const std::vector<std::vector<Vec3>>& rings) {
   const auto n = static_cast<std::uint32_t>(rings.front().size());
   const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -61,8 +62,8 @@ void add_sphere(Seafloor& mesh, const DroppedObject& o) {
   add_rings(mesh, rings);
 }
 
-// A prism along the heading whose cross-section (across, up) is given counter-clockwise seen from
-// its far end.
+// Adds a prism along the heading. Its cross-section (across, up) is counter-clockwise as seen from
+// the far end.
 void add_prism(Seafloor& mesh, const DroppedObject& o, const std::vector<Vec2>& section) {
   const Vec3 along(sin(o.heading), cos(o.heading), 0.0);
   const Vec3 across(along.y(), -along.x(), 0.0);

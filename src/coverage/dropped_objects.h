@@ -17,8 +17,8 @@ struct DroppedObject {
   Angle heading = {};        ///< of that axis, clockwise from north
 };
 
-/// The highest point of the object, local metres: what a sonar has to see of it. The surface that
-/// `with_objects` makes of a sphere ends 1.7 % of its diameter below this point.
+/// The highest point of the object, local metres. A sonar has to see this point. The surface that
+/// `with_objects` makes of a sphere ends 1.7 % of its diameter below it.
 [[nodiscard]] Vec3 top(const DroppedObject& object);
 
 /// The seafloor with the surfaces of the objects added. Each is a closed body whose flat underside

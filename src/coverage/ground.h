@@ -6,15 +6,15 @@
 
 namespace swathplan {
 
-/// Where routes are planned and scored; built once a site and shared. What it points to must
+/// Where routes are planned and scored. It is built once a site and shared. What it points to must
 /// outlive it.
 struct Ground {
   const Seafloor* seafloor = nullptr;  ///< the original mesh, not the planning mesh
   const DepthQuery* depths = nullptr;
   Area survey_area;  ///< to be covered: its cells count
   Area water;        ///< where the boat may be: deep enough, clear of walls and no-go
-  /// For scoring, and for planners that try candidates on the simulator before they choose. Without
-  /// one these take their first candidate.
+  /// Needed for scoring. Planners use it to simulate their candidates; without it they take their
+  /// first candidate.
   const RayScene* scene = nullptr;
 };
 

@@ -104,7 +104,7 @@ class RowReader {
   std::uint32_t mask_;  // in the area, and soundings
 };
 
-// Calls visit(run above, run) for all pairs that share a column; both lists run west to east.
+// Calls visit(run above, run) for all pairs that share a column. Both lists go from west to east.
 template <class Visit>
 void touching(const std::vector<Run>& above, std::vector<Run>& runs, Visit visit) {
   std::size_t a = 0;
@@ -116,8 +116,8 @@ void touching(const std::vector<Run>& above, std::vector<Run>& runs, Visit visit
   }
 }
 
-// First sweep: finds the gaps. Gaps that a row does not reach any more are done, so only those
-// alive and those listed are held.
+// First sweep: finds the gaps, row by row. A gap that the row does not reach is complete. So only
+// growing gaps and listed ones are held in memory.
 class GapSweep {
  public:
   GapSweep(const CoverageGrid& grid, const HolidayOptions& options)
@@ -213,8 +213,8 @@ class GapSweep {
   std::vector<Gap> listed_;
 };
 
-// Second sweep: gives each listed gap the cell nearest its centroid. Labels come out as in the
-// first sweep, and their roots are final now.
+// Second sweep: finds for each listed gap the cell nearest its centroid. Its labels are the same as
+// in the first sweep, and their roots are final.
 class PositionSweep {
  public:
   PositionSweep(const CoverageGrid& grid, const HolidayOptions& options, GapSweep& first)

@@ -8,7 +8,7 @@
 
 namespace swathplan {
 
-/// Why a gap is there: the first of these that holds.
+/// Why a gap is there. The first of these that holds is given.
 enum class HolidayCause {
   between_beams,  ///< footprints cover at least half of its cells: beams lie farther apart than
                   ///< cells

@@ -18,8 +18,8 @@ namespace swathplan {
 
 namespace {
 
-// Pings of one task, and tasks between two counts: enough that the threads seldom wait for one
-// another, few enough that the pings in flight stay under some megabytes a thread.
+// Pings of one task, and tasks of a thread between two counts. With fewer the threads would wait
+// for one another; with more the pings in flight would take more than some megabytes a thread.
 constexpr std::size_t kPingsPerBlock = 64;
 constexpr std::size_t kBlocksPerThread = 24;
 
@@ -42,13 +42,13 @@ void check(const Route& route, const Sonar& sonar, const ScoreOptions& options) 
   }
 }
 
-// More threads than cores only wait for one another.
+// More threads than cores would only wait for one another.
 int thread_count(const ScoreOptions& options) {
   const int cores = tbb::info::default_concurrency();
   return options.threads > 0 ? std::min(options.threads, cores) : cores;
 }
 
-// Several bands a thread, so that none waits long for another; one band for one thread.
+// Each thread gets several bands, so that none waits long for another. One thread needs one band.
 std::uint32_t bands_for(int threads) {
   return threads > 1 ? std::bit_ceil(static_cast<std::uint32_t>(threads)) * 4U : 1U;
 }
@@ -133,7 +133,7 @@ struct Batch {
   std::size_t blocks = 0;
 };
 
-// Trace a batch of blocks, then count it, until the route is sailed.
+// Traces a batch of blocks, then counts it, until the route is sailed.
 class Scorer {
  public:
   Scorer(const Route& route, const Ground& ground, const Sonar& sonar, double draft_m,

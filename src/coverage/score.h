@@ -20,8 +20,8 @@ struct ScoreOptions {
   Nodata nodata = Nodata::wall;
   TrackNoise noise;
   bool footprint = true;  ///< also score beam footprints
-  /// Of each side of a swath, from nadir out, this share counts, (0, 1]; beams beyond it are not
-  /// traced. Under 1: what is left where the outer part is lost to drift or a wrong map.
+  /// The share of each side of a swath, from nadir out, that counts, (0, 1]. Beams beyond it are
+  /// not traced. Under 1 the score tells what is left if drift or a wrong map costs the outer part.
   double swath_share = 1.0;
   int threads = 0;  ///< 0: all cores; the result does not depend on it
   /// Called now and then with the share done [0, 1] and rays traced so far; may be empty.
@@ -36,8 +36,8 @@ struct CoverageFigures {
                                         ///< where footprints are not scored
 };
 
-/// What a route covers. Only `all` and `logged` tell all pings from those of logged legs; overlap,
-/// several_legs_pct, the counts and the holidays are of all pings.
+/// What a route covers. `logged` counts the pings of logged legs only. Overlap, several_legs_pct,
+/// the counts and the holidays are of all pings.
 struct Score {
   CoverageFigures all, logged;
   double overlap = 0.0;                              ///< mean soundings per covered cell, less 1
@@ -56,19 +56,19 @@ struct ScoredRoute {
   CoverageGrid grid;
 };
 
-/// Traces every beam of every ping of the route against the ground, which must hold its scene, and
-/// counts.
-/// A sounding counts in the cell that it falls in, as far as the sonar's range reaches.
-/// The footprint of a beam is a rectangle about its sounding, along and across the course. Along:
-/// 2 range tan(beam width / 2). Across, to either side: range x stretch x half of the beam width or
-/// of the angle to the neighbouring beam, whichever is more; `stretch` is what the met slope makes
-/// of a width across the beam, n_z / |n . d|, at most 5.76 (80 degrees of incidence). Where the
-/// rectangles of neighbouring soundings overlap they meet half-way between the soundings (or as far
-/// as both reach), so missing beams, shadows and range jumps are not bridged. Beams that climb a
-/// wall, straight above the one before, add no footprint.
-/// Guarantees: (1) the same result for any number of threads: by the clock, where each ping hangs
-/// on the one before, one thread alone follows the chain of pings, while the others sort and count
-/// what it traced before; (2) memory 4 bytes a cell plus a fixed number of pings in flight.
+/// Traces every beam of every ping of the route against the ground's scene, and counts. The scene
+/// must be there. A sounding counts in the cell that it falls in, as far as the sonar's range and
+/// coverage curve reach.
+/// The footprint of a beam is a rectangle about its sounding, along and across the course.
+/// Along, its length is 2 range tan(beam width / 2). Across, it reaches to either side by
+/// range x stretch x half of the beam width or of the angle to the neighbouring beam, whichever is
+/// more. `stretch` is n_z / |n . d|: how much the slope widens the beam, at most 5.76 (80 degrees
+/// of incidence). Rectangles of neighbouring soundings that overlap meet half-way between the
+/// soundings, or as far as both reach. So missing beams, shadows and jumps in range are not
+/// bridged. A beam that climbs a wall, straight above the one before, adds no footprint.
+/// Guarantees: (1) the same result for any number of threads: by the clock each ping depends on the
+/// one before, so one thread alone follows the chain of pings, while the others count what it
+/// traced before; (2) memory is 4 bytes a cell, plus a fixed number of pings in flight.
 /// @throws InvalidInput for a route that is not valid; UsageError for an option out of range.
 [[nodiscard]] ScoredRoute score(const Route& route, const Ground& ground, const Sonar& sonar,
                                 const Vehicle& vehicle, const ScoreOptions& options);

@@ -17,9 +17,9 @@ namespace {
 constexpr double kLeastWater = 0.5;  // the vehicle stays so far below the surface
 constexpr double kLeastAltitude = 0.5;
 
-// Speckle of a pixel: a gamma variate of mean 1 with shape `looks`, by its place alone, so that no
-// order of work changes it. Wilson and Hilferty's cube of a normal, within a percent for looks
-// >= 1.
+// Speckle of a pixel: a gamma variate of mean 1 with shape `looks`. It depends on the pixel's place
+// alone, so the order of work does not change it. The cube of a normal (Wilson and Hilferty) is
+// within a per cent for looks >= 1.
 double speckle(std::uint64_t seed, std::uint64_t place, double looks) {
   const std::uint64_t a = scrambled(seed + kSplitmixStep * (2 * place + 1));
   const std::uint64_t b = scrambled(a + kSplitmixStep);
@@ -29,7 +29,7 @@ double speckle(std::uint64_t seed, std::uint64_t place, double looks) {
   return root * root * root;
 }
 
-// Angles from the vertical at which a flat bottom is met every pixel / rays.
+// Angles from the vertical at which rays meet a flat bottom rays_per_pixel times a pixel.
 std::vector<double> fan_angles(const SideScanSonar& sonar, double altitude) {
   const int count =
       static_cast<int>(std::ceil(sonar.range_m / sonar.pixel_m)) * sonar.rays_per_pixel;
@@ -38,7 +38,7 @@ std::vector<double> fan_angles(const SideScanSonar& sonar, double altitude) {
     const double y = (i + 0.5) * sonar.pixel_m / sonar.rays_per_pixel;
     angles.push_back(std::atan2(y, altitude));
   }
-  // Above the flat bottom's edge: what stands up there is within slant range too.
+  // Rays above the far edge of a flat bottom: what stands up there is within slant range too.
   const double last = angles.back();
   for (int i = 1; i <= count / 8; ++i) {
     angles.push_back(last + (std::numbers::pi / 2.0 + 0.05 - last) * i / (count / 8.0));
@@ -69,8 +69,8 @@ void add_side(const RayScene& scene, const Vec3& sonar_at, const Vec2& outward, 
     const double loss = std::pow(10.0, -0.1 * sonar.attenuation_db_per_m * slant);
     row[column] += static_cast<float>(lambert * lambert * loss);
   }
-  // More rays meet a steep face within a pixel: their energy adds up to its bright return. A flat
-  // bottom gives rays_per_pixel of them.
+  // A flat bottom gives rays_per_pixel rays a pixel. A steep face gives more, and their energy adds
+  // up to its bright return.
   for (int c = 0; c < columns; ++c) {
     row[c] /= static_cast<float>(sonar.rays_per_pixel);
   }

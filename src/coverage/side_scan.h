@@ -18,7 +18,7 @@ struct SideScanSonar {
   double altitude_m = 6.0;             ///< above the seafloor, kept as far as the surface allows
   double nadir_gap_m = 0.0;            ///< half-width without data below the sonar, >= 0
   int rays_per_pixel = 2;              ///< along each side's fan
-  double attenuation_db_per_m = 0.05;  ///< what the receiver's gain leaves of the loss with range
+  double attenuation_db_per_m = 0.05;  ///< loss with range that the receiver's gain does not mend
   double looks = 4.0;      ///< of the speckle: its relative deviation is 1 / sqrt(looks); 0: none
   std::uint64_t seed = 1;  ///< of the speckle
 };
@@ -34,9 +34,9 @@ struct SideScanImage {
   std::vector<float> port, starboard;  ///< rows x columns each
 };
 
-/// Heights of the seafloor below a track, as a multibeam sonar that fills the nadir gap gives them:
-/// a row per ping, columns from `half_width_m` to port to as much to starboard, z in metres; NaN
-/// where nothing was met.
+/// Heights of the seafloor below a track, as a multibeam sonar over the nadir gap gives them. A row
+/// per ping; columns from `half_width_m` to port to as much to starboard; z in metres, NaN where
+/// nothing was met.
 struct NadirHeights {
   int rows = 0, columns = 0;
   double pixel_m = 0.1, row_m = 0.2;
@@ -46,17 +46,19 @@ struct NadirHeights {
                                          const std::function<double(const Vec2&)>& depth_below,
                                          double half_width_m, const SideScanSonar& sonar);
 
-/// Sails from `from` to `to` (local metres) and makes the image. Each side's rays fan out from the
-/// vertical; where they meet the scene, slant range gives the pixel (as on a flat bottom below the
-/// sonar), the grazing angle (Lambert) and the range give the intensity; what no ray meets is
-/// sonic shadow. `depth_below` tells the seafloor's depth below a point (positive down), from
-/// which the vehicle keeps its altitude.
-/// Deterministic with the seed. Cost: rows x columns x rays_per_pixel x 2 rays. Throws as check.
+/// Sails from `from` to `to` (local metres) and makes the image. The rays of each side fan out from
+/// the vertical. Where a ray meets the scene, its slant range gives the pixel, as on a flat bottom
+/// below the sonar; its grazing angle (Lambert) and its range give the intensity. What no ray meets
+/// is shadow. `depth_below` gives the seafloor's depth below a point, positive down; the vehicle
+/// keeps its altitude above that.
+/// The same seed gives the same image. Cost: about rows x columns x rays_per_pixel x 2.25 rays.
+/// Throws as check.
 [[nodiscard]] SideScanImage side_scan_image(const RayScene& scene, const Vec2& from, const Vec2& to,
                                             const std::function<double(const Vec2&)>& depth_below,
                                             const SideScanSonar& sonar);
 
-/// The height at which the vehicle sails there: z, metres, never above half a metre of water.
+/// The height at which the vehicle sails over such a depth: z, metres. It stays half a metre below
+/// the water level, but where water is too shoal it stays half a metre above the seafloor.
 [[nodiscard]] double sonar_height_m(double depth_below_m, const SideScanSonar& sonar);
 
 }  // namespace swathplan

@@ -12,7 +12,8 @@ namespace {
 
 using Edge = std::array<std::uint32_t, 2>;
 
-// Edges that one face uses, told apart by vertex index: by lower vertex, then by face.
+// Edges that belong to one face only if vertices are told apart by index. Sorted by lower vertex,
+// then by face.
 std::vector<Edge> unpaired_by_index(const Seafloor& seafloor) {
   std::vector<EdgeUse> single;
   for_each_edge(edge_uses(seafloor.faces, seafloor.vertices.size()), [&](const auto& edge) {
@@ -37,7 +38,7 @@ Position position(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 std::vector<Edge> border_edges(const Seafloor& seafloor) {
   std::vector<Edge> edges = unpaired_by_index(seafloor);
-  // The few that are left: pair them by position.
+  // Few are left. They are paired by position.
   std::map<std::pair<Position, Position>, int> uses;
   const auto key = [&](const Edge& e) {
     Position a = position(seafloor.vertices[e[0]]);

@@ -16,9 +16,9 @@ struct EdgeUse {
   bool ascends;  ///< the face runs from low to high
 };
 
-/// All edge uses of a triangle mesh whose faces name vertices below `vertices`, three for each
-/// face, sorted by edge, then by face. None for no faces. O(n) where few edges meet at a vertex,
-/// since they are sorted within each lower vertex only.
+/// All edge uses of a triangle mesh, three for each face, sorted by edge, then by face. Faces name
+/// vertices below `vertices`. No faces give none. O(n) where few edges meet at a vertex, since only
+/// those with the same lower vertex are sorted.
 [[nodiscard]] std::vector<EdgeUse> edge_uses(const std::vector<Seafloor::Face>& faces,
                                              std::size_t vertices);
 

@@ -11,10 +11,10 @@
 namespace swathplan {
 namespace {
 
-/// A point this far outside a face, as a share of its barycentric unit, still counts as on it: the
+/// A point this far outside a face, in barycentric coordinates, still counts as on it. It is the
 /// rounding of one division.
 constexpr double kBarycentricTolerance = 1e-9;
-/// Under this plan area a face is a wall and has no depth of its own to answer with.
+/// A face with a smaller plan area is a wall, which has no depth of its own, square metres.
 constexpr double kLeastPlanArea = 1e-12;
 
 double plan_cross(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -100,7 +100,7 @@ struct DepthQuery::Impl {
 void DepthQuery::Impl::size_buckets(const Box2& box, std::size_t faces) {
   origin = box.min;
   const Vec2 size = box.size();
-  // About one face a bucket; a sliver-shaped extent must not blow up the number of buckets.
+  // About one face a bucket. A long and narrow extent must not make the number of buckets explode.
   const double buckets = static_cast<double>(std::max<std::size_t>(faces, 1));
   cell = std::max(std::sqrt(std::max(size.x() * size.y(), 1e-12) / buckets),
                   std::max(size.x(), size.y()) / (4.0 * std::sqrt(buckets) + 1.0));
@@ -156,7 +156,7 @@ DepthQuery& DepthQuery::operator=(DepthQuery&&) noexcept = default;
 
 namespace {
 
-/// Height of a face's plane at p where p lies in the face's plan.
+/// Height of a face's plane at p; empty if p does not lie in the face's plan.
 std::optional<double> height_at(const Seafloor& seafloor, const Seafloor::Face& f, const Vec2& p) {
   const Vec3& a = seafloor.vertices[f[0]];
   const Vec3& b = seafloor.vertices[f[1]];
@@ -214,8 +214,8 @@ double DepthQuery::nearest_depth(const Vec2& p) const {
       }
     }
   };
-  // Rings of buckets around p until no nearer vertex can follow. A query outside the extent has
-  // been clamped to it, and rings are then measured from there: hence the added gap.
+  // Looks at rings of buckets around p until no nearer vertex can follow. A point outside the
+  // extent is moved onto it first. Rings are measured from there, so the gap between both is added.
   const Vec2 clamped(
       std::clamp(p.x(), d.origin.x(), d.origin.x() + d.cell * static_cast<double>(d.columns)),
       std::clamp(p.y(), d.origin.y(), d.origin.y() + d.cell * static_cast<double>(d.rows)));

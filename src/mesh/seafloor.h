@@ -12,9 +12,9 @@
 
 namespace swathplan {
 
-/// The seafloor as a triangle mesh in the local frame (see frame.h), one sheet seen from above.
-/// Invariants after import: indices in range, coordinates finite, every face has area and is
-/// counter-clockwise seen from above where it is not vertical, every vertex z <= 0.
+/// The seafloor as a triangle mesh in the local frame (see frame.h): one sheet as seen from above.
+/// After import these hold: indices are in range; coordinates are finite; every face has area; a
+/// face that is not vertical runs counter-clockwise as seen from above; every vertex has z <= 0.
 struct Seafloor {
   using Face = std::array<std::uint32_t, 3>;
   std::vector<Vec3> vertices;
@@ -34,8 +34,8 @@ struct DepthRange {
 /// @throws InvalidInput if no face has a plan area.
 [[nodiscard]] DepthRange depth_range(const Seafloor& seafloor);
 
-/// Answers "how deep is it here?" in O(1) a query: a bucket grid over the faces' plan.
-/// Keeps a reference: the seafloor must outlive it.
+/// Answers "how deep is it here?" in about O(1) a query. It sorts the faces into buckets in plan.
+/// It keeps a reference: the seafloor must outlive it.
 class DepthQuery {
  public:
   explicit DepthQuery(const Seafloor& seafloor);
@@ -43,12 +43,12 @@ class DepthQuery {
   DepthQuery(DepthQuery&&) noexcept;
   DepthQuery& operator=(DepthQuery&&) noexcept;
 
-  /// Depth below `p`, metres positive down; the shoalest where faces lie above each other; empty
-  /// where there is no seafloor.
+  /// Depth below `p`, metres, positive down. Where faces lie above each other it is the shoalest.
+  /// Empty where there is no seafloor.
   [[nodiscard]] std::optional<double> depth(const Vec2& p) const;
   /// The face below `p` (the shoalest), if any.
   [[nodiscard]] std::optional<std::uint32_t> face(const Vec2& p) const;
-  /// Depth at the nearest vertex of the seafloor: for points that the mesh narrowly misses.
+  /// Depth at the nearest vertex of the seafloor, for points just beyond the mesh.
   [[nodiscard]] double nearest_depth(const Vec2& p) const;
 
  private:

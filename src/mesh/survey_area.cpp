@@ -12,11 +12,11 @@
 namespace swathplan {
 namespace {
 
-/// Leftovers under this size are dust of the clipping lattice, square metres.
+/// Smaller pieces come from the rounding of the clipping lattice, square metres.
 constexpr double kDustM2 = 1e-3;
 
-/// Edges that no face runs through the other way, in the order of the faces. An edge from a vertex
-/// to itself is its own other way.
+/// Edges that no face runs through in the opposite direction, in the order of the faces. An edge
+/// from a vertex to itself is its own opposite.
 std::vector<EdgeUse> one_way_edges(const Seafloor& seafloor) {
   std::vector<EdgeUse> border;
   for_each_edge(edge_uses(seafloor.faces, seafloor.vertices.size()), [&](const auto& edge) {
@@ -31,7 +31,7 @@ std::vector<EdgeUse> one_way_edges(const Seafloor& seafloor) {
   return border;
 }
 
-/// Directed border edges of the mesh, joined head to tail into rings.
+/// The border edges of the mesh, joined end to begin into rings.
 std::vector<Ring> boundary_rings(const Seafloor& seafloor) {
   std::unordered_multimap<std::uint32_t, std::uint32_t> next;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> border;

@@ -7,19 +7,19 @@
 
 namespace swathplan {
 
-/// What bounds the survey besides the data itself.
+/// What limits the survey, beside the data themselves.
 struct SurveyAreaOptions {
   std::optional<Area> limit;  ///< survey only inside this; empty: wherever there is data
   Area no_go;                 ///< never inside this
-  double safe_depth_m = 0.0;  ///< shoalest depth that counts (draft + under-keel margin), >= 0
+  double safe_depth_m = 0.0;  ///< shoalest depth that counts, >= 0; safe_depth_m() of vehicle.h
 };
 
-/// Outline of the seafloor in plan with its holes: the boundary loops of the mesh, united.
+/// Outline of the seafloor in plan, with its holes: the border loops of the mesh, united.
 [[nodiscard]] Area outline(const Seafloor& seafloor);
 
-/// Survey area = outline of the seafloor with its holes, inside `limit`, less no-go, less water
-/// shoaler than `safe_depth_m`. May have several separate parts, largest first.
-/// @throws InvalidInput if nothing is left, saying which of the conditions took the last of it.
+/// The survey area: the outline of the seafloor inside `limit`, less no-go, less water shoaler than
+/// `safe_depth_m`. It may have several separate parts, the largest first.
+/// @throws InvalidInput if nothing is left; the message says which condition took the last of it.
 [[nodiscard]] Area survey_area(const Seafloor& seafloor, const SurveyAreaOptions& options);
 
 }  // namespace swathplan

@@ -10,9 +10,10 @@
 namespace swathplan {
 namespace {
 
-/// Heights are rounded to this, so that the last bit of a platform's exp() reaches no file.
+/// Heights are rounded to this, metres. Else files would differ where exp() differs in its last
+/// bit.
 constexpr double kHeightStep = 1e-3;
-/// Width of the 'vertical' walls of shaft and step: a height field cannot stand upright.
+/// Width of the near-vertical walls of shaft and step, metres. A height field cannot stand upright.
 constexpr double kWallWidth = 0.1;
 
 using Height = std::function<std::optional<double>(double, double)>;
@@ -23,7 +24,8 @@ std::vector<double> even(double from, double step, std::size_t count) {
   return values;
 }
 
-/// Nodes at every (x, y) with a height, two triangles between four of them, diagonal SW to NE.
+/// Nodes at every (x, y) with a height. Two triangles fill the square between four of them; the
+/// diagonal runs from south-west to north-east.
 Seafloor height_field(const std::vector<double>& xs, const std::vector<double>& ys,
                       const Height& height) {
   Seafloor seafloor;

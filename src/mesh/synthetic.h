@@ -17,12 +17,12 @@ namespace swathplan {
 /// An open sea of 7.4 x 9.3 km, 20 to 200 m deep: a shelf with three smooth shoals and a basin, no
 /// slope over 6 degrees; sampled each 50 m.
 [[nodiscard]] Seafloor sea();
-/// width x height metres, lower-left corner at the origin, `depth` everywhere, sampled each metre
-/// or coarser so that no more than 250,000 nodes arise.
+/// width x height metres with the lower-left corner at the origin and `depth` everywhere. It is
+/// sampled each metre, or more coarsely so that it has no more than 250,000 nodes.
 [[nodiscard]] Seafloor flat(double width, double height, double depth);
 /// Depth grows from `depth` at the west edge along east with the given slope, [0, 89] degrees.
 [[nodiscard]] Seafloor tilted(double width, double height, double depth, Angle slope);
-/// `depth_west` up to mid-width, then a near-vertical wall to `depth_east`.
+/// `depth_west` up to the middle of its width, then a near-vertical wall to `depth_east`.
 [[nodiscard]] Seafloor stepped(double width, double height, double depth_west, double depth_east);
 
 }  // namespace swathplan

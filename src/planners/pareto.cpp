@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-/// The index with the largest value among those that `may`; kNone where none may.
+/// The index with the largest value among those for which `may` is true; kNone if there is none.
 std::size_t best_of(const std::vector<Outcome>& outcomes,
                     const std::function<double(const Outcome&)>& value,
                     const std::function<bool(const Outcome&)>& may) {
@@ -32,7 +32,7 @@ double coverage(const Outcome& outcome) { return outcome.cover_pct - infeasible_
 double shortness(const Outcome& outcome) {
   return -outcome.length_ratio - infeasible_points(outcome) / kWorthPerRatio;
 }
-/// Of two outcomes, the second no shorter.
+/// `outcome` is no shorter than `shorter`.
 bool beats(const Outcome& shorter, const Outcome& outcome) {
   return shorter.cover_pct >= outcome.cover_pct &&
          shorter.infeasible_legs <= outcome.infeasible_legs;
@@ -130,7 +130,7 @@ Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal, double pri
       best_of(
           outcomes, [&](const Outcome& o) { return worth(o, price); }, every),
       fmt::format(
-          "the best of coverage less {:.2g} points for each ideal length{}", price,
+          "the most coverage, less {:.2g} points for each ideal length{}", price,
           steerable ? "" : fmt::format(" and {:g} for each infeasible leg", kWorthPerInfeasible))};
 }
 

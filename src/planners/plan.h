@@ -106,8 +106,8 @@ struct Plan {
   Gates gates;
   std::vector<Angle> openings;     ///< full opening angle per region, or one
   std::vector<std::string> notes;  ///< one sentence each, for people
-  /// Fitted lines: the plans that no other beats (pareto.h), shortest first, and
-  /// which of them the route is. Empty for other planners.
+  /// Of fitted lines: the plans that no other beats (pareto.h), shortest first. The route is the
+  /// one at `chosen`. Empty for other planners.
   std::vector<Outcome> choices;
   std::size_t chosen = 0;
   std::string chosen_why;  ///< why, as half a sentence

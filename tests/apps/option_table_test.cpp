@@ -42,8 +42,9 @@ std::string refusal(Action&& action) {
 /// `plan` with these words typed; what it was given stays in `shared`.
 void type(SharedRows& shared, std::vector<const char*> words) {
   words.insert(words.begin(), {"swathplan", "plan"});
-  ASSERT_EQ(run_commands("", "0", {{"plan", "", shared.rows, [] {}, {}}},
-                         static_cast<int>(words.size()), words.data()),
+  ASSERT_EQ(run_commands(
+                "", [] { return std::string(); }, {{"plan", "", shared.rows, [] {}, {}}},
+                static_cast<int>(words.size()), words.data()),
             0);
 }
 
@@ -152,7 +153,10 @@ TEST(OptionTable, ErrorsAboutFieldsOfACommandAreSaidInItsFlags) {
                         [&] { throw UsageError("nadir gap", std::to_string(gap), "is wide"); },
                         {}};
   const std::array<const char*, 4> words{"swathplan", "sail", "--nadir-gap", "7"};
-  EXPECT_EQ(refusal([&] { static_cast<void>(run_commands("", "0", {command}, 4, words.data())); }),
+  EXPECT_EQ(refusal([&] {
+              static_cast<void>(run_commands(
+                  "", [] { return std::string(); }, {command}, 4, words.data()));
+            }),
             "--nadir-gap 7.000000; is wide");
 }
 

@@ -12,7 +12,7 @@ namespace swathplan {
 
 namespace {
 
-// Braces draw the numbers from left to right.
+// The order of draws is part of the result. An initialiser list draws from left to right.
 std::array<double, 4> normals(std::mt19937_64& random) {
   const std::array<double, 4> u{uniform_above_0(random()), uniform_above_0(random()),
                                 uniform_above_0(random()), uniform_above_0(random())};

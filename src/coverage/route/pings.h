@@ -23,14 +23,14 @@ struct Ping {
   bool log = true;
 };
 
-/// Departures from ideal tracking, seeded: Gaussian (first-order Gauss-Markov over distance, so
-/// that a boat wanders), stationary from the first ping. Each departure draws its own numbers, so
-/// that switching one on leaves the others as they were.
+/// Departures from ideal tracking. Each is a first-order Gauss-Markov process over distance, so the
+/// boat wanders. Its spread is the same from the first ping on. Each departure draws its own
+/// numbers, so that switching one on leaves the others as they were. The seed fixes them all.
 struct TrackNoise {
   double lateral_sigma_m = 0.0;
   Angle heading_sigma, roll_sigma;
   double heave_sigma_m = 0.0;
-  double correlation_length_m = 20.0;  ///< distance over which errors forget themselves
+  double correlation_length_m = 20.0;  ///< distance over which errors fall to 1/e of their effect
   std::uint64_t seed = 1;
   [[nodiscard]] bool any() const {
     return lateral_sigma_m > 0 || heading_sigma.rad() > 0 || roll_sigma.rad() > 0 ||
@@ -41,7 +41,7 @@ struct TrackNoise {
 /// Slant range of the farthest sounding of a ping, metres; 0 for a ping without one.
 using FarthestSounding = std::function<double(const Ping&)>;
 
-/// What a walk along a route found of its pings; legs with the sonar off aside.
+/// What a walk along a route found of its pings. Legs with the sonar off do not count.
 struct PingFigures {
   std::uint64_t intervals = 0;  ///< from a ping to the next one
   double mean_spacing_m = 0.0;  ///< path between them
@@ -51,15 +51,16 @@ struct PingFigures {
   double longest_range_m = 0.0;  ///< of all soundings, where pings go by the clock
 };
 
-/// Walks along the route and yields its pings in order, a block at a time, so that a long route
+/// Walks along the route and gives its pings in order, a block at a time, so that a long route
 /// needs little memory. The course is that of the segment being sailed; a ping on a waypoint
-/// belongs to the next segment; legs with the sonar off give none (but the count runs on).
-/// With a fixed spacing there is one ping each so many metres of path from the first waypoint, on
-/// through waypoints without restart. By the clock the next ping is due when the boat, at the speed
-/// of the rows it sails, has been under way for ping_interval_s() of this ping's farthest sounding;
-/// a ping without a sounding counts with the range of the last one that had one.
-/// A waypoint counts as reached kPathDust before it, so that rounding neither drops the last ping
-/// nor moves one to the wrong segment. Keeps references: route and sonar must outlive it.
+/// belongs to the next segment. Legs with the sonar off give no pings, but the count runs on.
+/// With a fixed spacing the first ping stands on the first waypoint, and one follows each so many
+/// metres of path; the count does not restart at waypoints. By the clock the next ping is due when
+/// the boat has been under way, at the speed of the rows that it sails, for ping_interval_s() of
+/// this ping's farthest sounding. A ping without a sounding counts with the range of the last one
+/// that had one. A waypoint counts as reached kPathDust before it, so that rounding neither drops
+/// the last ping nor moves one to the wrong segment.
+/// The walker keeps references: route and sonar must outlive it.
 class PingWalker {
  public:
   static constexpr double kPathDust = 1e-6;  ///< metres of path
@@ -67,9 +68,9 @@ class PingWalker {
   ///   negative sigma.
   PingWalker(const Route& route, const Sonar& sonar, const PingTiming& timing,
              const TrackNoise& noise);
-  /// Fills `block` with up to `count` next pings; false when none is left. By the clock
-  /// `farthest` is asked once for each ping, in order, since the next one hangs on it; with a fixed
-  /// spacing it is not asked and may be empty.
+  /// Fills `block` with the next pings, at most `count`. False when none is left. By the clock
+  /// `farthest` is asked once for each ping, in order, since the next ping depends on it. With a
+  /// fixed spacing it is not asked and may be empty.
   bool next(std::size_t count, std::vector<Ping>& block, const FarthestSounding& farthest = {});
   [[nodiscard]] bool by_the_clock() const { return !timing_.spacing_m; }
   /// Share of the route's length walked so far, [0, 1].

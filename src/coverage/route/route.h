@@ -34,7 +34,8 @@ struct Waypoint {
   bool feasible = true;       ///< false: no way that the vehicle can steer in safe water was found
 };
 
-/// A route: straight segments between waypoints, dense enough that they are the path.
+/// A route: straight segments between waypoints. Waypoints stand so densely that these segments are
+/// the path.
 struct Route {
   std::vector<Waypoint> waypoints;
 };
@@ -44,15 +45,16 @@ struct Route {
 
 [[nodiscard]] double length_m(const Route& route);
 
-/// A maximal run of consecutive waypoints with the same (line, kind, log, region, feasible, whether
-/// the sonar is on), with the first waypoint of the next leg as its last point.
+/// The longest run of waypoints that share line, kind, log, region, feasible, and whether the sonar
+/// is on. Its last point is the first waypoint of the next leg.
 struct Leg {
   std::size_t first, last;  ///< waypoint indices, first < last
 };
 [[nodiscard]] std::vector<Leg> legs(const Route& route);
 
-/// Checks what every planner promises: finite positions, exactly one `end`, at the end, at least
-/// two waypoints, angles in (0, 90) degrees, positive speeds. Empty: valid; else the first fault.
+/// The first fault of a route; empty for a valid one. A valid route has at least two waypoints,
+/// finite positions, angles in (0, 90) degrees, positive speeds, and the kind `end` at its last
+/// waypoint only.
 [[nodiscard]] std::optional<std::string> fault(const Route& route);
 
 }  // namespace swathplan

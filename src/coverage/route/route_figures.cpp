@@ -59,7 +59,7 @@ class TurnCounter {
     curve_ += angle;
   }
   void end_curve() {
-    // A right angle made of many bends is not to fall short of it by rounding.
+    // Many small bends that make a right angle must count as one in spite of rounding.
     constexpr double kDust = 1e-6;
     const double degrees = std::abs(curve_) * 180.0 / std::numbers::pi + kDust;
     figures_.turns += degrees >= kTurnDeg;
@@ -90,12 +90,13 @@ void add_turns(const std::vector<Vec2>& points, double smallest_radius_m, RouteF
         figures.min_turn_radius_m = std::min(figures.min_turn_radius_m, radius);
       }
       if (half < (1.0 - kTightShare) * smallest_radius_m * tangent) {
-        // As much path as a turn of that radius takes for this bend, if there is so much.
+        // The path that a turn of the smallest radius would need for this bend, but no more than
+        // half of each segment beside it.
         figures.tight_turn_m +=
             std::min(0.5 * (before + after), smallest_radius_m * std::abs(angle));
       }
     }
-    // Points along a straight line bend by rounding alone.
+    // Smaller bends come from rounding along a straight line.
     constexpr double kStraight = 1e-6;
     if (std::abs(angle) < kStraight) continue;
     turns.add(angle, way);
@@ -124,7 +125,7 @@ DepthsBelow depths_below(const std::vector<Vec2>& points, const Area& water,
                          const DepthQuery& depths) {
   const AreaQuery query(water);
   DepthsBelow below;
-  // Each look stands for `length` metres of path.
+  // Each look-up stands for `length` metres of path.
   const auto look = [&](const Vec2& p, double length) {
     if (const auto depth = depths.depth(p)) {
       below.least_m = std::min(below.least_m, *depth);

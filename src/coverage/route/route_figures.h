@@ -11,8 +11,8 @@
 
 namespace swathplan {
 
-/// What can be said of a route without a sonar. Waypoints nearer than a micrometre to the one
-/// before add nothing.
+/// What can be said of a route without a sonar. A waypoint nearer than kCoincident to the one
+/// before does not count as a bend.
 struct RouteFigures {
   double length_m = 0.0;
   std::map<std::string, double> length_by_kind_m;  ///< kind name -> metres
@@ -21,18 +21,18 @@ struct RouteFigures {
   std::size_t turns = 0;           ///< curves that change the course by at least kTurnDeg
   std::size_t sharp_turns = 0;     ///< of them, by at least kSharpTurnDeg
   double total_turning_deg = 0.0;  ///< sum of all changes of course
-  /// Smallest radius that a waypoint asks for: that of the arc which touches both of its segments
-  /// and begins in the middle of the shorter one. On waypoints of a curve it is the curve's radius.
-  /// Infinite for a straight route (bends wider than kStraightRadiusM come from rounding), 0 where
-  /// the route turns back on itself.
+  /// Smallest radius of all bends. The radius at a waypoint is that of the arc which touches both
+  /// of its segments and begins in the middle of the shorter one; on a curve of even waypoints this
+  /// is the curve's radius. Infinite for a straight route: bends wider than kStraightRadiusM come
+  /// from rounding. 0 where the route turns back on itself.
   double min_turn_radius_m = 0.0;
   std::size_t self_crossings = 0;    ///< places, see mesh/path_meetings.h
   std::size_t shared_stretches = 0;  ///< places where the path runs along itself
   double shared_m = 0.0;             ///< metres sailed along earlier stretches
   double outside_water_m = 0.0;      ///< path outside the water or inside no-go
   double unknown_depth_m = 0.0;  ///< of that, where the data hold no depth: land, or beyond them
-  /// Least depth below the path less the draft; infinite where none is known: no data at all, or
-  /// the path leaves the water over ground without a depth (unknown_depth_m).
+  /// Least depth below the path, less the draft. Infinite where it cannot be known: without any
+  /// depth below the path, or where unknown_depth_m is above 0.
   double min_under_keel_m = 0.0;
   double duration_s = 0.0;  ///< length over each leg's speed
   std::map<std::string, double> duration_by_kind_s;
@@ -45,8 +45,8 @@ struct RouteFigures {
   double infeasible_m = 0.0;
 };
 
-/// A bend counts as tight when its radius falls short of the vehicle's by more than this share:
-/// points written in millimetres bend by rounding.
+/// A bend counts as tight when its radius falls short of the vehicle's by more than this share.
+/// The slack is for points that are rounded to millimetres.
 inline constexpr double kTightShare = 0.01;
 inline constexpr double kStraightRadiusM = 1e5;
 inline constexpr double kTurnDeg = 30.0;
@@ -62,8 +62,8 @@ inline constexpr double kDepthStepM = 1.0;
                                          const Area& water, const DepthQuery& depths,
                                          double survey_area_m2, double footprint_width_m);
 
-/// What to say of a mission that does not fit into the vehicle's endurance, contingency included:
-/// one sentence without a full stop; empty if it fits.
+/// What to say of a mission that does not fit into the vehicle's endurance, contingency included.
+/// One sentence without a full stop; empty if the mission fits.
 [[nodiscard]] std::string endurance_note(const RouteFigures& figures, const Vehicle& vehicle);
 
 /// Waypoints nearer than this are one place, metres.

@@ -13,13 +13,13 @@ namespace swathplan {
 enum class BeamSpacing { equiangular, equidistant };
 
 /// Soundings farther from nadir than `half_angle` are lost where the seafloor lies `depth_m` below
-/// the sonar. Between two limits the angle goes straight from one to the other.
+/// the sonar. Between two limits the angle changes linearly with the depth.
 struct CoverageLimit {
   double depth_m = 0.0;
   Angle half_angle;
 };
 
-/// A multibeam echo sounder. Presets are nominal: check your data sheet.
+/// A multibeam echo sounder. Presets are nominal: your data sheet has the true figures.
 struct Sonar {
   std::string name = "norbit-iwbms";
   int beams = 256;  ///< >= 2
@@ -40,10 +40,12 @@ struct Sonar {
 
 /// Footprint width W = beams x resolution, metres.
 [[nodiscard]] double footprint_width_m(const Sonar& sonar, double resolution_m);
-/// Half-angle 'atan(W/2 / depth)' that sweeps `width_m` at `depth_m`, capped by the sonar.
+/// Half-angle whose two sides together sweep `width_m` at `depth_m`: atan(width / 2 / depth), but
+/// no more than the sonar's.
 [[nodiscard]] Angle half_angle(const Sonar& sonar, double width_m, double depth_m);
-/// Gap-free half-angle t: the largest for which neighbouring equiangular beams on flat ground are
-/// no farther apart than `cell_m`: 2 t sec^2(t) depth / (beams - 1) = cell. Capped by the sonar.
+/// Gap-free half-angle t: the largest at which neighbouring equiangular beams on flat ground lie no
+/// farther apart than `cell_m`. It solves 2 t sec^2(t) depth / (beams - 1) = cell, and is no more
+/// than the sonar's.
 [[nodiscard]] Angle gap_free_half_angle(const Sonar& sonar, double depth_m, double cell_m);
 /// Slant range up to which a beam at `angle` from nadir gives soundings, metres: the sonar's range,
 /// or less by its coverage curve.

@@ -5,7 +5,7 @@
 namespace swathplan {
 namespace {
 
-constexpr double kRoundingM = 0.001;  // areas live on a lattice
+constexpr double kRoundingM = 0.001;  // corners of areas are rounded to a lattice
 
 double outside_m(const Vec2& a, const Vec2& b, const AreaQuery& water) {
   return (b - a).norm() - water.inside_length(a, b);

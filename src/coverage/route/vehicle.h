@@ -7,7 +7,7 @@
 
 namespace swathplan {
 
-/// A survey vehicle. Presets are nominal: check your own.
+/// A survey vehicle. Presets are nominal: measure your own.
 struct Vehicle {
   std::string name = "wam-v";
   double speed_mps = 2.0;            ///< on lines

@@ -62,9 +62,9 @@ void add_outside(const Route& route, const Area& water, std::vector<Violation>& 
   }
 }
 
-/// The radius of the bend at b as route_figures.h defines it, and the path that it spoils.
+/// A bend at a waypoint: its radius as route_figures.h defines it, and the path that is too tight.
 struct Bend {
-  double radius_m, spoilt_m;
+  double radius_m, tight_m;
 };
 
 Bend bend(const Vec2& a, const Vec2& b, const Vec2& c, double smallest_m) {
@@ -101,7 +101,7 @@ void add_tight(const Route& route, double smallest_m, std::vector<Violation>& li
     since = 0.0;
     Violation& turn = list.back();
     turn.last = at[k + 1];
-    turn.length_m += found.spoilt_m;
+    turn.length_m += found.tight_m;
     turn.radius_m = std::min(turn.radius_m, found.radius_m);
   }
 }

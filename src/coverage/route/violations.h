@@ -10,7 +10,7 @@
 
 namespace swathplan {
 
-/// What speaks against sailing a stretch of a route as it is drawn.
+/// Why a stretch of a route must not be sailed as it is drawn.
 enum class ViolationKind {
   infeasible,     ///< the planner found no way that the vehicle can steer in safe water
   outside_water,  ///< outside safe water or inside no-go
@@ -22,18 +22,18 @@ enum class ViolationKind {
 struct Violation {
   ViolationKind kind = ViolationKind::infeasible;
   std::size_t first = 0, last = 0;  ///< waypoint indices, first < last
-  double length_m = 0.0;            ///< that violate
+  double length_m = 0.0;            ///< the part of the stretch that violates
   Vec2 position = Vec2::Zero();     ///< halfway along the stretch, local metres
-  double radius_m = 0.0;            ///< of a tight turn: the smallest, as in route_figures.h
+  double radius_m = 0.0;            ///< of a tight turn: its smallest, as in route_figures.h
 };
 
-/// All violations of a route: the infeasible legs, then stretches outside the water, then tight
-/// turns, each in sailing order. Guarantees: (1) as many infeasible ones as
+/// All violations of a route: infeasible legs first, then stretches outside the water, then tight
+/// turns; each kind in sailing order. Guarantees: (1) as many infeasible ones as
 /// RouteFigures::infeasible_legs; (2) the lengths outside the water add up to outside_water_m.
 [[nodiscard]] std::vector<Violation> violations(const Route& route, const Vehicle& vehicle,
                                                 const Area& water);
 
-/// Why it must not be sailed so: one sentence without a full stop.
+/// What is wrong with the stretch, in words for the user, without a full stop.
 [[nodiscard]] std::string reason(const Violation& violation, const Route& route,
                                  const Vehicle& vehicle);
 

@@ -13,10 +13,10 @@ namespace swathplan {
 
 namespace {
 
-// A centre this close to the outline lies on it: far above the rounding of a crossing, far below
-// any survey's accuracy.
+// A centre this close to the outline lies on it, metres. The rounding of a crossing is far less,
+// any survey's accuracy far more.
 constexpr double kOnOutline = 1e-9;
-// Share of a cell by which an extent may exceed a whole number of cells and still count as that
+// An extent may exceed a whole number of cells by this share of a cell and still count as that
 // number: 80.00000000001 m is 800 cells of 0.1 m.
 constexpr double kCellDust = 1e-6;
 
@@ -42,7 +42,7 @@ class RowCrossings {
     }
   }
 
-  // Rows in parallel: `fill` may write to its own row only.
+  // Rows run in parallel, so `fill` may write to its own row only.
   template <class Fill>
   void for_each_span(Fill fill) const {
     for_each_index(std::uint32_t{0}, grid_.rows(), [&](std::uint32_t r) {
@@ -105,7 +105,7 @@ void mark_span(CoverageGrid& grid, std::uint32_t row, double x0, double x1) {
   }
 }
 
-// Centres that lie on an edge along a row: neither rule for vertices sees such an edge.
+// Marks centres that lie on an edge along a row. Neither rule for vertices sees such an edge.
 void mark_level_edges(CoverageGrid& grid, const Ring& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2& a = ring[i];
@@ -148,7 +148,7 @@ CoverageGrid::CoverageGrid(const Area& area, double resolution_m) : resolution_(
   rows_ = size.rows;
   origin_ = extent(area).min;
   words_.assign(std::size_t{columns_} * rows_, 0);
-  // The even-odd rule with either end of each edge left out, united, is the closed area.
+  // The even-odd rule leaves out one end of each edge. Both choices together give the closed area.
   for (const EdgeEnd closed : {EdgeEnd::lower, EdgeEnd::upper}) {
     RowCrossings(area, *this, closed).for_each_span([&](std::uint32_t row, double x0, double x1) {
       mark_span(*this, row, x0, x1);

@@ -16,9 +16,9 @@ struct GridSize {
 ///   CoverageGrid::kMaxCells; the message says the size and the limit.
 [[nodiscard]] GridSize grid_size(const Area& area, double resolution_m);
 
-/// Square scoring cells over an area: lower-left corner at the lower-left corner of the area's
-/// bounding box; a cell counts when its centre lies in the area. Row 0 is the southernmost.
-/// One 32-bit word a cell (see the accessors), so memory is 4 bytes a cell.
+/// Square scoring cells over an area. The grid's lower-left corner is that of the area's bounding
+/// box; row 0 is the southernmost. A cell counts when its centre lies in the area or on its
+/// outline. Each cell is one word of 32 bits.
 class CoverageGrid {
  public:
   /// @throws UsageError if `resolution_m` is not > 0 or the grid would hold more than kMaxCells;
@@ -40,7 +40,7 @@ class CoverageGrid {
   [[nodiscard]] bool logged_footprint(std::size_t i) const {
     return (words_[i] & kLoggedFootprint) != 0;
   }
-  /// Seen by two or more different legs (told apart modulo 1022).
+  /// Seen by two or more legs. Only 1022 legs can be told apart: legs 0 and 1022 look the same.
   [[nodiscard]] bool several_legs(std::size_t i) const {
     return ((words_[i] >> kLegShift) & kLegMask) == kLegMask;
   }

@@ -6,8 +6,8 @@
 
 namespace swathplan {
 
-/// A fan's beams in its own plane, in structure-of-arrays form: sine and cosine of each beam's
-/// angle from nadir (starboard positive) and the angles to its neighbours, padded to whole packets.
+/// A fan's beams in its own plane: sine and cosine of each beam's angle from nadir (starboard
+/// positive), and the angles to its neighbours. Arrays are padded to whole packets of rays.
 class FanTable {
  public:
   /// The beams that reach no farther to either side than `swath_share` of the fan does on level
@@ -22,7 +22,7 @@ class FanTable {
   std::vector<float> next_step;  ///< radians between beams i and i + 1
 };
 
-/// The tables of the last few fans used; a route by depth regions needs a handful.
+/// The tables of the last fans used. A route has few fans: about one a depth region.
 class FanTableCache {
  public:
   explicit FanTableCache(const Sonar& sonar, double swath_share = 1.0)

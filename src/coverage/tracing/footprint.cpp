@@ -8,12 +8,12 @@ namespace swathplan {
 
 namespace {
 
-// Largest stretch of a footprint by incidence: that of 80 degrees. Beyond it the width of a beam
-// says nothing about what it sees.
+// Largest stretch of a footprint by incidence: that of 80 degrees. At more grazing angles the width
+// of a beam says nothing about what the beam sees.
 constexpr float kMaxStretch = 5.76F;
 
-// Half-widths across that a beam reaches at most to either side: half its own beam width or half
-// the beam spacing, whichever is more, on the slope that it met.
+// How far across a beam reaches at most to either side: half its own width or half the beam
+// spacing, whichever is more, on the slope that it met.
 SWATHPLAN_EVERY_CPU
 void reach(std::size_t n, const FanSoundings& f, float half_across, float scale,
            float* __restrict port, float* __restrict starboard) {
@@ -23,7 +23,7 @@ void reach(std::size_t n, const FanSoundings& f, float half_across, float scale,
   const float *const nx = f.nx, *const ny = f.ny, *const nz = f.nz;
   for (std::size_t i = 0; i < n; ++i) {
     const float facing = std::abs(nx[i] * dx[i] + ny[i] * dy[i] + nz[i] * dz[i]);
-    // In this order the least of the two is a number where both sides of the division are 0.
+    // The order matters: 0 / 0 is no number, and std::min then returns its first argument.
     const float stretch = std::min(kMaxStretch, std::abs(nz[i]) / facing);
     const float size = range[i] * stretch * scale;
     port[i] = size * std::max(half_across, 0.5F * step[i]);
@@ -56,7 +56,7 @@ void lengths(std::size_t n, const Sizes& s, const float* range, const float* sta
   }
 }
 
-// Eight at a time, which the compiler makes one instruction of.
+// Eight at a time: the compiler makes one instruction of them.
 SWATHPLAN_EVERY_CPU
 float least_of(std::size_t n, const float* values) {
   constexpr std::size_t kLanes = 8;
@@ -70,7 +70,7 @@ float least_of(std::size_t n, const float* values) {
   return *std::min_element(least, least + kLanes);
 }
 
-// Where two footprints overlap each gives way to the other about half-way.
+// Two footprints that overlap meet about half-way between their soundings.
 inline float border_between(float at_port, float at, float left, float right_port) {
   return std::min(std::max(0.5F * (at_port + at), left), right_port);
 }
@@ -117,7 +117,7 @@ void FanFootprints::build(const FanSoundings& fan, const BeamWidths& widths,
   for (auto* array : {&at, &left, &right, &half_along}) array->resize(count);
 }
 
-// Beams that climb a wall lie above one another: the first of them stands for all.
+// Beams that climb a wall meet it above one another. Only the first of them has a footprint.
 void FanFootprints::build_with_gaps(const FanSoundings& fan) {
   const std::size_t count = fan.table->beams;
   std::size_t last = count;  // the footprint before
@@ -141,8 +141,8 @@ void FanFootprints::build_with_gaps(const FanSoundings& fan) {
 
 namespace {
 
-// Beams to either side over which a reach is sure: a floor that slopes along the course moves the
-// soundings across by a few beams from one key ping to the next.
+// Beams to either side over which a reach is sure. A floor that slopes along the course moves
+// soundings across by a few beams between key pings.
 constexpr std::size_t kSureBeams = 4;
 constexpr std::size_t kSureSpan = 2 * kSureBeams + 1;
 SWATHPLAN_EVERY_CPU
@@ -157,7 +157,7 @@ void least_of_span(std::size_t n, const float* values, float* least) {
 
 void SureReach::build(const FanFootprints& fan) {
   const std::size_t n = fan.beams();
-  // Beyond the outermost beams nothing is asked for, but nothing is covered either.
+  // Beyond the outermost beams no beam asks, and nothing is covered.
   at_.assign(n + 2 * kSureBeams, n > 0 ? fan.left[0] : 0.0F);
   cover_.assign(n + 2 * kSureBeams, -FanFootprints::kNoFootprint);
   low.resize(n);

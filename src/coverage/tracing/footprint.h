@@ -11,8 +11,8 @@
 
 namespace swathplan {
 
-/// Where a ping is and looks, in cells: the whole cells apart, so that floats are enough for the
-/// rest.
+/// Where a ping is and which way it looks, in cells. Whole cells are kept apart as integers, so
+/// that floats are exact enough for the rest.
 struct CellFrame {
   std::int32_t column, row;  ///< of the boat
   float x, y;                ///< within that cell, [0, 1)
@@ -21,7 +21,7 @@ struct CellFrame {
   std::int32_t columns, rows;  ///< of the grid
 };
 
-/// What the footprints of one ping hang on; arrays with one entry a beam.
+/// What the footprints of one ping are made from; arrays with one entry a beam.
 struct FanSoundings {
   const FanTable* table;
   const float* range;      ///< > 0: a sounding
@@ -36,9 +36,10 @@ struct BeamWidths {
   float half_across;
 };
 
-/// The footprints of one ping in its own plane, in cells, one entry a beam: from left to right of
-/// the fan's middle, and half_along ahead and astern; half_along is kNoFootprint for a beam
-/// without. Footprints do not overlap and ascend to starboard.
+/// The footprints of one ping, in cells, one entry a beam. Across the course a footprint reaches
+/// from `left` to `right`, counted from the boat, starboard positive. Along the course it reaches
+/// half_along ahead and astern; kNoFootprint stands for a beam without one. Footprints do not
+/// overlap, and they follow one another from port to starboard.
 struct FanFootprints {
   static constexpr float kNoFootprint = -1e30F;
   CellFrame frame{};
@@ -54,8 +55,9 @@ struct FanFootprints {
   std::vector<float> cap_port_, cap_starboard_;
 };
 
-/// What a ping surely covers around each of its beams: over the span from low to high it reaches at
-/// least `least` ahead and astern (kNoFootprint where the beams around have a gap).
+/// What a ping surely covers around each of its beams. All over the span from low to high it
+/// reaches at least `least` ahead and astern. `least` is kNoFootprint where a beam of the span has
+/// no footprint or there is a gap.
 struct SureReach {
   std::vector<float> low, high, least;
   void build(const FanFootprints& fan);
@@ -79,8 +81,8 @@ struct LineCells {
   std::int32_t line, low, high;
 };
 
-/// What a block of pings swept: per line of the grid (a column or a row) one interval of cells, and
-/// a few more intervals where the sweep has gaps.
+/// What a block of pings swept. Each line of the grid (a column or a row) has one interval of
+/// cells; `more` holds further intervals where the sweep has gaps.
 struct SweptPatch {
   bool by_columns = true;
   std::int32_t first_line = 0;
@@ -89,18 +91,19 @@ struct SweptPatch {
   std::uint32_t flags = 0;  ///< to set in the cells
 };
 
-/// Gathers footprints ping by ping. Pings stand much closer than footprints are long, so most of a
-/// ping's footprints lie within those of a ping before and one behind it: such key pings are added
-/// whole, and of those between only the beams for which that cannot be shown.
-/// Lines of the grid are taken along the axis nearer to the course, so that the intervals of
-/// successive pings overlap and grow, and each cell is written about once.
+/// Gathers footprints ping by ping. Pings stand much closer than footprints are long. So most
+/// footprints of a ping lie within those of one ping before and one behind it. Some pings, the key
+/// pings, are added whole. A ping between two key pings adds only the beams that these do not
+/// surely cover.
+/// Lines of the grid run along the axis nearer to the course. So the intervals of successive pings
+/// overlap, and each cell is written about once.
 class FootprintSweep {
  public:
   explicit FootprintSweep(const Sonar& sonar) : widths_(sonar) {}
 
   void add(const FanSoundings& fan, const CellFrame& frame, bool log,
            std::vector<SweptPatch>& patches);
-  /// Ends the patch in hand. To be called after the last ping of a block.
+  /// Hands out what is still held back. Must be called after the last ping of a block.
   void flush(std::vector<SweptPatch>& patches);
 
  private:
@@ -118,7 +121,8 @@ class FootprintSweep {
   struct UnsureLine {
     std::int32_t line, low, high, sure_low, sure_high;
   };
-  /// What one ping left open: the next ones cover nearly all of it, so it is tested after them.
+  /// The cells that one ping may or may not cover. They are tested after the next ping, which
+  /// covers nearly all of them.
   struct Unsure {
     LineFrame frame;
     FootprintPieces pieces;
@@ -126,7 +130,7 @@ class FootprintSweep {
   };
   static constexpr std::size_t kMostBetween = 16;
 
-  void settle(std::vector<SweptPatch>& patches);
+  void make_next_key(std::vector<SweptPatch>& patches);
   void open_patch(const FanFootprints& fan, std::vector<SweptPatch>& patches);
   void add_rest(const FanFootprints& fan, std::vector<SweptPatch>& patches);
   void add_strip(const FanFootprints& fan, std::size_t beam, float from, float to);
@@ -135,8 +139,8 @@ class FootprintSweep {
   void close_patch(std::vector<SweptPatch>& patches);
   void profile(float reach);
   void add_lines(const LineFrame& f);
-  void settle_unsure();
-  void settle_line(const LineFrame& f, const UnsureLine& open);
+  void test_unsure();
+  void test_unsure_line(const LineFrame& f, const UnsureLine& open);
   void merge(std::int32_t line, std::int32_t low, std::int32_t high);
   void make_room(std::int32_t first, std::int32_t last);
 
@@ -152,8 +156,8 @@ class FootprintSweep {
   Unsure unsure_;
   SweptPatch patch_;
   bool open_ = false;
-  // The pieces resampled to whole cells across: least and largest half-length in each, and in the
-  // window that a grid line crosses.
+  // The pieces on whole cells across: their least and largest half-length in each cell, and in the
+  // window of cells that a grid line crosses.
   std::int32_t first_bin_ = 0;
   std::vector<float> least_, most_, window_least_, window_most_;
   std::vector<std::int32_t> sure_low_, sure_high_, low_, high_;

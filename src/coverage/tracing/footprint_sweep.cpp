@@ -21,9 +21,9 @@ struct SureSpans {
       : low(r.low.data()), high(r.high.data()), least(r.least.data()) {}
 };
 
-// How much of a beam's footprint the key pings before and behind surely hold: all of it (or there
-// is none), nothing that could be shown, or all but a strip on its port or starboard side. Such
-// strips are what the outermost beams of nearly every ping leave.
+// How much of a beam's footprint the key pings before and behind surely cover. kHeld: all of it, or
+// the beam has none. kNotHeld: nothing is sure. The others: all but a strip on one side, as is
+// usual for the outermost beams.
 enum Held : std::int32_t { kNotHeld = 0, kHeld = 1, kAllButPort = 2, kAllButStarboard = 3 };
 
 SWATHPLAN_EVERY_CPU
@@ -35,7 +35,7 @@ void held_beams(std::size_t n, const Between& way, const float* left, const floa
   const float whole = from_key + to_next + kSweepDust;
   const float *const low1 = one.low, *const high1 = one.high, *const least1 = one.least;
   const float *const low2 = two.low, *const high2 = two.high, *const least2 = two.least;
-  // Both sides open would leave two strips: such a beam is not held.
+  // With both sides open two strips would be left. Such a beam counts as not held.
   constexpr std::int32_t kTwice = kAllButStarboard + kAllButPort - kHeld;
   for (std::size_t i = 0; i < n; ++i) {
     const float h = half[i] + kSweepDust;
@@ -56,11 +56,13 @@ void held_beams(std::size_t n, const Between& way, const float* left, const floa
   }
 }
 
-// Path from ping a to ping b, in cells, if they sail the same line and log the same.
+// Whether ping b continues the straight line of ping a and logs as a does; `way` is the path
+// between them, in cells.
 bool follows(const FanFootprints& a, const FanFootprints& b, float& way) {
   const CellFrame& f = a.frame;
   const CellFrame& g = b.frame;
-  // Segments of one straight line differ in the last bit: 0.001 cells at the end of a long fan.
+  // Courses of one straight line differ in the last bit. At the end of a long fan that makes 0.001
+  // cells.
   constexpr float kSameCourse = 1e-6F;
   if (std::abs(f.starboard_x - g.starboard_x) > kSameCourse ||
       std::abs(f.starboard_y - g.starboard_y) > kSameCourse || a.log != b.log ||
@@ -94,11 +96,11 @@ FootprintSweep::LineFrame::LineFrame(const CellFrame& f, bool by_columns) {
 
 namespace {
 
-// A patch keeps its axis while the course stays within about 54 degrees of it, so that a course
-// near 45 degrees does not swing between the two.
+// A patch keeps its axis while the course stays within about 54 degrees of it. Else a course near
+// 45 degrees would change the axis again and again.
 constexpr float kKeepAxis = 0.585F;
 
-// out[i] = best of in[i - r .. i + r], in O(log r) passes; in and out padded with r on each side.
+// out[i] = best of in[i - r .. i + r], in O(log r) passes. Both are padded with r on each side.
 template <class Best>
 void slide(const std::vector<float>& in, std::vector<float>& out, std::size_t r, Best best) {
   out = in;
@@ -108,13 +110,13 @@ void slide(const std::vector<float>& in, std::vector<float>& out, std::size_t r,
     for (std::size_t i = 0; i + span < out.size(); ++i) out[i] = best(out[i], out[i + span]);
   }
   const std::size_t rest = window - span;
-  // Now out[i] covers [i, i + span); place the window's middle.
+  // out[i] covers [i, i + span) now. This pass covers the whole window.
   for (std::size_t i = 0; i + rest < out.size(); ++i) out[i] = best(out[i], out[i + rest]);
 }
 
 }  // namespace
 
-// Resamples the pieces to whole cells across, `reach` cells wider on each side, and takes the least
+// Puts the pieces on whole cells across, with `reach` cells more on each side. Then takes the least
 // and the most over windows of +-reach.
 void FootprintSweep::profile(float reach) {
   const auto r = static_cast<std::int32_t>(std::ceil(reach));
@@ -154,8 +156,8 @@ void FootprintSweep::profile(float reach) {
 namespace {
 
 struct LineSums {
-  float first_across;  // distance across, at no distance along, of the first line
-  float per_line;      // and how it grows from line to line
+  float first_across;  // where the first line crosses the fan's plane: distance across
+  float per_line;      // its growth from line to line
   float first_middle;  // cell where the first line crosses the fan's plane, less half a cell
   float middle_per_line;
   float per_half;  // cells along the line per cell along the course
@@ -218,7 +220,7 @@ void FootprintSweep::add_lines(const LineFrame& f) {
     merge(f.line + first + static_cast<std::int32_t>(i), f.cell + sure_low_[i],
           f.cell + sure_high_[i]);
   }
-  settle_unsure();
+  test_unsure();
   for (std::size_t i = 0; i < n; ++i) {
     if (known(i) || (low_[i] == sure_low_[i] && high_[i] == sure_high_[i])) continue;
     unsure_.lines.push_back(
@@ -229,14 +231,13 @@ void FootprintSweep::add_lines(const LineFrame& f) {
   std::swap(unsure_.pieces, pieces_);
 }
 
-// Tests one by one the cells that the profile of the ping before left open and that the next has
-// not covered either.
-void FootprintSweep::settle_unsure() {
-  for (const UnsureLine& line : unsure_.lines) settle_line(unsure_.frame, line);
+// Tests one by one the cells that the ping before may cover and that the next has not covered.
+void FootprintSweep::test_unsure() {
+  for (const UnsureLine& line : unsure_.lines) test_unsure_line(unsure_.frame, line);
   unsure_.lines.clear();
 }
 
-void FootprintSweep::settle_line(const LineFrame& f, const UnsureLine& open) {
+void FootprintSweep::test_unsure_line(const LineFrame& f, const UnsureLine& open) {
   const auto i = static_cast<std::size_t>(f.line + open.line - patch_.first_line);
   const std::int32_t had_low = patch_.low[i] - f.cell;
   const std::int32_t had_high = patch_.high[i] - f.cell;
@@ -297,7 +298,7 @@ void FootprintSweep::make_room(std::int32_t first, std::int32_t last) {
   }
 }
 
-// Makes sure that the patch in hand takes this fan's footprints.
+// Opens a new patch where the one in hand cannot take this fan's footprints.
 void FootprintSweep::open_patch(const FanFootprints& fan, std::vector<SweptPatch>& patches) {
   const std::uint32_t flags =
       CoverageGrid::kFootprint | (fan.log ? CoverageGrid::kLoggedFootprint : 0U);
@@ -358,7 +359,7 @@ void FootprintSweep::add_strip(const FanFootprints& fan, std::size_t beam, float
   }
 }
 
-// The beams of a ping between the key pings that are not held by them, run by run.
+// Adds the beams of a ping that the key pings around it do not surely cover, run by run.
 void FootprintSweep::add_rest(const FanFootprints& fan, std::vector<SweptPatch>& patches) {
   const std::size_t n = fan.beams();
   for (std::size_t i = 0; i < n; ++i) {
@@ -376,8 +377,8 @@ void FootprintSweep::add_rest(const FanFootprints& fan, std::vector<SweptPatch>&
   }
 }
 
-// Makes the last ping that waits the next key ping.
-void FootprintSweep::settle(std::vector<SweptPatch>& patches) {
+// Makes the last waiting ping the next key ping.
+void FootprintSweep::make_next_key(std::vector<SweptPatch>& patches) {
   if (waiting_count_ == 0) return;
   FanFootprints& next = waiting_[waiting_count_ - 1];
   next_reach_.build(next);
@@ -401,7 +402,7 @@ void FootprintSweep::settle(std::vector<SweptPatch>& patches) {
 
 void FootprintSweep::add(const FanSoundings& soundings, const CellFrame& frame, bool log,
                          std::vector<SweptPatch>& patches) {
-  // Key pings this share of a footprint's length apart still overlap well.
+  // Key pings that lie so many half-lengths of a footprint apart still overlap well.
   constexpr float kKeyShare = 1.5F;
   FanFootprints& fan = waiting_[waiting_count_];
   fan.log = log;
@@ -410,12 +411,13 @@ void FootprintSweep::add(const FanSoundings& soundings, const CellFrame& frame, 
   if (has_key_ && follows(key_, fan, way)) {
     ++waiting_count_;
     const float step = way / static_cast<float>(waiting_count_);
-    if (waiting_count_ > kMostBetween || way + step > kKeyShare * key_.shortest) settle(patches);
+    if (waiting_count_ > kMostBetween || way + step > kKeyShare * key_.shortest)
+      make_next_key(patches);
     return;
   }
   if (waiting_count_ > 0) {
     FanFootprints first = std::move(fan);
-    settle(patches);
+    make_next_key(patches);
     waiting_[0] = std::move(first);
   }
   add_beams(waiting_[0], 0, waiting_[0].beams(), patches);
@@ -425,13 +427,13 @@ void FootprintSweep::add(const FanSoundings& soundings, const CellFrame& frame, 
 }
 
 void FootprintSweep::flush(std::vector<SweptPatch>& patches) {
-  settle(patches);
+  make_next_key(patches);
   close_patch(patches);
   has_key_ = false;
 }
 
 void FootprintSweep::close_patch(std::vector<SweptPatch>& patches) {
-  settle_unsure();
+  test_unsure();
   if (open_ && !patch_.low.empty()) patches.push_back(std::move(patch_));
   patch_ = {};
   open_ = false;

@@ -24,8 +24,8 @@ FanPose fan_pose(const Ping& ping) {
           static_cast<float>(cos(ping.roll)), static_cast<float>(sin(ping.roll))};
 }
 
-// Unit directions of all beams. With the starboard side down by the roll, the fan swings to port:
-// the sine becomes that of (angle - roll). `across` keeps it for the way back to the plane.
+// Unit directions of all beams. When roll presses the starboard side down, the fan swings to port:
+// a beam's angle becomes (angle - roll). `across` keeps its sine, for the way back to the plane.
 SWATHPLAN_EVERY_CPU
 void aim(std::size_t n, const FanPose& pose, const float* sine, const float* cosine,
          float* __restrict across, float* __restrict dx, float* __restrict dy,
@@ -41,7 +41,7 @@ void aim(std::size_t n, const FanPose& pose, const float* sine, const float* cos
   }
 }
 
-// Cells from the grid's corner; beyond this no sounding comes back into the grid.
+// Cells from the grid's corner. No sounding of a ping farther off falls in the grid.
 constexpr double kFar = 1e8;
 
 CellFrame cell_frame(const Ping& ping, const FanPose& pose, const CoverageGrid& grid) {
@@ -61,7 +61,8 @@ CellFrame cell_frame(const Ping& ping, const FanPose& pose, const CoverageGrid& 
   return frame;
 }
 
-// Distance to starboard, cell and band of rows of each sounding; band kNoBand for none.
+// Distance to starboard, cell and band of rows of each sounding. The band is kNoBand for a beam
+// without a sounding in the grid.
 SWATHPLAN_EVERY_CPU
 void to_cells(std::size_t n, const CellFrame& frame, Bands bands, const float* range,
               const float* across, float* starboard, std::uint32_t* cell, std::int32_t* band) {
@@ -114,7 +115,8 @@ inline std::uint32_t count_sounding(std::uint32_t word, std::uint32_t code) {
   if constexpr (kLog) {
     word += static_cast<std::uint32_t>((word & kLogged) != kLogged) << CoverageGrid::kLoggedShift;
   }
-  // Nearly always the same leg as the sounding before, or the first: branches that seldom miss.
+  // Nearly always the cell has this leg already, or none, so the processor guesses the branches
+  // right.
   const std::uint32_t leg = word >> CoverageGrid::kLegShift;
   if (leg != code) {
     word |= (leg == 0 ? code : CoverageGrid::kLegMask) << CoverageGrid::kLegShift;

@@ -34,7 +34,7 @@ struct BlockHits {
   std::vector<std::size_t> starts;  ///< of each ping, into `floats`
 };
 
-/// Traces blocks of pings; one per thread, for it keeps its buffers.
+/// Traces blocks of pings. Each thread needs its own: it keeps its buffers between blocks.
 class PingTracer {
  public:
   PingTracer(const RayScene& scene, const Sonar& sonar, double draft_m, const CoverageGrid& grid,
@@ -68,7 +68,7 @@ class PingTracer {
   std::vector<std::int32_t> band_of_beam_;
 };
 
-/// Counts one band of a batch of blocks into the grid; returns the soundings inside the area.
+/// Counts one band of some blocks into the grid, and returns the soundings in counting cells.
 std::uint64_t count_band(std::span<const BlockTrace> blocks, Bands bands, std::uint32_t band,
                          CoverageGrid& grid);
 

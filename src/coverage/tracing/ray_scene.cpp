@@ -15,16 +15,16 @@ namespace swathplan {
 
 namespace {
 
-// A ray starts this far behind its origin, so that a boat exactly above the data's border stands
-// inside the curtain when it looks out; more than the rounding of floats some kilometres from the
-// scene's centre (2e-4 m), less than any survey resolves.
+// A ray starts this far behind its origin, metres. So a boat exactly above the data's border stands
+// inside the curtain when it looks out. Floats some kilometres from the scene's centre round by
+// less (2e-4 m), and no survey resolves so little.
 constexpr float kStepBack = 0.01F;
-// Curtains end above the water by more than a boat heaves.
+// Top of the curtains, metres above the water level: more than a boat heaves.
 constexpr double kCurtainTop = 5.0;
-// Faces within 0.006 degrees of the vertical may be met from either side: rounding to floats
-// decides which way they look.
+// Squared cosine between a vertical face's normal and the plumb line: within 0.006 degrees. Such
+// faces may be met from either side, because rounding to floats decides which way they look.
 constexpr float kVerticalSquared = 1e-8F;
-// A ray that slips through an exact vertex is traced again this far off, radians: 0.6 mm at 60 m.
+// A ray that slips through a vertex is traced again this much aside, radians: 0.6 mm at 60 m.
 constexpr float kNudge = 1e-5F;
 
 // Curtains stop rays that travel outward and let the others pass.
@@ -109,7 +109,8 @@ bool from_above(float dx, float dy, float dz, float nx, float ny, float nz) {
   return against | vertical;
 }
 
-// Range of a beam that met nothing at all; between it and 0 stand those that met something else.
+// Range of a beam that met nothing at all. One that met something else than the seafloor from above
+// has range 0.
 constexpr float kMissed = -1.0F;
 
 RTCIntersectContext coherent_context() {
@@ -218,14 +219,14 @@ RayScene::Impl::Impl(const Seafloor& seafloor, Nodata nodata) {
     high = high.cwiseMax(v);
   }
   if (!seafloor.vertices.empty()) centre = 0.5 * (low + high);
-  // A thread count given to the device would bind all of TBB to it.
+  // No thread count is given: Embree would set it for all of TBB in this process.
   device = rtcNewDevice(nullptr);
   if (device == nullptr) throw std::runtime_error("Embree cannot start on this machine");
   scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   attach_seafloor(device, scene, seafloor, centre);
   if (nodata == Nodata::wall) attach_curtains(device, scene, seafloor, centre);
-  // Built by one thread, so that the same tree arises on every machine.
+  // One thread builds the tree, so that it is the same on every machine.
   tbb::task_arena(1).execute([this] { rtcJoinCommitScene(scene); });
 }
 

@@ -14,15 +14,15 @@ enum class Nodata {
   open   ///< it passes
 };
 
-/// A fan's beams from one origin; results per beam.
+/// What one beam met.
 struct RayHit {
-  float range_m = 0.0F;          ///< > 0 where the beam met the seafloor from above, else 0
+  float range_m = 0.0F;          ///< > 0 for a sounding, else 0
   float nx = 0, ny = 0, nz = 0;  ///< unit normal there, nz >= 0
 };
 
-/// The seafloor as an Embree scene: robust flags, local origin, packets of 16 coherent rays.
-/// Walls at the data's border are one-sided curtains from the border edge up to the water level
-/// that stop beams leaving the data and let a boat outside look in. Thread-safe for tracing.
+/// The seafloor as an Embree scene. With Nodata::wall one-sided curtains stand along the data's
+/// border, from the seafloor up to 5 m above the water level, higher than any boat heaves. They
+/// stop beams that leave the data and let a boat outside look in. Tracing is thread-safe.
 class RayScene {
  public:
   RayScene(const Seafloor& seafloor, Nodata nodata);
@@ -30,13 +30,15 @@ class RayScene {
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
 
-  /// Traces beams from `origin` (local metres) along unit `directions`; hits.size() ==
-  /// directions.size(). A beam that meets a curtain, nothing, or a face from below gives range 0.
+  /// Traces beams from `origin` (local metres) along unit `directions`, without a limit of range.
+  /// `hits` must have the size of `directions`. A beam gives range 0 if the first thing that it
+  /// meets is a curtain or a face from below, or if it meets nothing. A vertical face may be met
+  /// from either side: rounding decides which way it looks.
   void trace(const Vec3& origin, std::span<const Eigen::Vector3f> directions,
              std::span<RayHit> hits) const;
 
   struct Impl;
-  /// For the scorer, which traces whole fans without copying (ray_scene_internal.h).
+  /// For this room only: ping_tracer.cpp traces whole fans without copies (ray_scene_internal.h).
   [[nodiscard]] const Impl& impl() const { return *impl_; }
 
  private:

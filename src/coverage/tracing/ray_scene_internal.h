@@ -22,7 +22,7 @@ struct RayScene::Impl {
   Vec3 centre = Vec3::Zero();  ///< local metres; Embree's own origin, so that its floats stay small
 };
 
-/// One fan in structure-of-arrays form; every array holds `padded` floats, a multiple of kPacket.
+/// The beams of one fan. Every array holds `padded` floats, a multiple of kPacket.
 struct FanBeams {
   std::size_t count = 0;   ///< beams
   std::size_t padded = 0;  ///< count rounded up to whole packets
@@ -36,7 +36,8 @@ struct FanHits {
   float* range = nullptr;  ///< > 0: a sounding; else none
   float* nx = nullptr;
   float* ny = nullptr;
-  float* nz = nullptr;  ///< normal of any length, up; undefined without a sounding
+  float* nz = nullptr;  ///< normal of any length, up or, on vertical faces, down; undefined
+                        ///< without a sounding
 };
 
 /// Traces a fan from `origin` (local metres) as far as `max_range_m`.

@@ -78,7 +78,7 @@ function drawChoices(chart, plan, px, py) {
 /** What is left of a choice without the share of its swaths that is kept in reserve. */
 function withinMargin(choice) {
   return choice.within_margin_pct === undefined ? '' :
-    `; ${number(choice.within_margin_pct, 2)} % without the margin of its swaths`;
+    `; ${number(choice.within_margin_pct, 2)} % if the margin of each swath is lost`;
 }
 
 /** Points that a name should not cover: plans, choices and the line between these. */
@@ -121,7 +121,7 @@ function choicesText(plan) {
   const by = cover === 'footprint' ? ' (of beam footprints)' : '';
   const c = list[picked];
   return element('p', {class: 'says'}, element('strong', {}, `${plan.name}: `),
-    `diamonds are the ${list.length} plans that no other tried plan beats in length, coverage${by} and legs that cannot be steered. ` +
+    `each diamond is a plan (${list.length} in all) that no other tried plan beats in length, coverage${by} and infeasible legs. ` +
     `Picked (ring): ${c.what}${withinMargin(c)}, ${why}` +
     (c.within_margin_pct === undefined ? '.' : ', counting only what the margin leaves of each swath.'));
 }

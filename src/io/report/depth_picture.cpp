@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Depths at the pixels' centres, NaN where there is no seafloor; row 0 the northernmost.
+/// Depths at the centres of pixels. NaN where there is no seafloor. Row 0 is the northernmost.
 struct DepthField {
   std::uint32_t columns, rows;
   double pixel_m;
@@ -39,14 +39,15 @@ DepthField sample(const DepthQuery& depths, const Box2& box, std::uint32_t large
   return field;
 }
 
-/// 0 (in shade) to kDepthShades - 2 (in the light); light from the north-west, 45 degrees up.
+/// The shade of a pixel, from 0 (dark) to kDepthShades - 2 (bright). The light comes from the
+/// north-west, 45 degrees up.
 int shade_at(const DepthField& field, std::uint32_t c, std::uint32_t r, double exaggeration) {
   const double here = field.at(c, r);
   const auto slope = [&](double before, double after) {
     const double a = std::isnan(before) ? here : before, b = std::isnan(after) ? here : after;
     return exaggeration * (b - a) / (2.0 * field.pixel_m);
   };
-  // Depth grows downward, so the normal of the seafloor leans the way that depth grows.
+  // Depth is positive down, so the normal of the seafloor leans to where it gets deeper.
   const double east = slope(field.at(c - 1, r), field.at(c + 1, r));
   const double south = slope(field.at(c, r - 1), field.at(c, r + 1));
   const double light =
@@ -103,7 +104,7 @@ DepthPicture depth_picture(const DepthQuery& depths, const Box2& box, std::uint3
                  .rows = field.rows,
                  .pixels = std::vector<std::uint8_t>(field.depth.size()),
                  .palette = depth_palette()};
-  // Relief a tenth as high as the map is wide reads well whatever the depths.
+  // The relief is drawn 0.15 times as high as the map is wide. That is easy to read for all depths.
   const double exaggeration = range > 0.01 ? 0.15 * size.maxCoeff() / range : 1.0;
   for (std::uint32_t r = 0; r < field.rows; ++r) {
     for (std::uint32_t c = 0; c < field.columns; ++c) {

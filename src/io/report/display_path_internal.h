@@ -14,11 +14,11 @@ struct DisplayPath {
   std::vector<Vec2> points;
 };
 
-/// The route for drawing: neighbouring legs that look alike joined, points left out that lie within
-/// `tolerance_m` of the line that is left (Douglas-Peucker).
+/// The route for drawing. Neighbouring legs that look alike are joined. Points that lie within
+/// `tolerance_m` of the remaining line are left out (Douglas-Peucker).
 [[nodiscard]] std::vector<DisplayPath> display_path(const Route& route, double tolerance_m);
 
-/// The points of a line that stay: the first, the last and what Douglas-Peucker needs.
+/// The points of a line that stay: the first, the last and those that Douglas-Peucker keeps.
 [[nodiscard]] std::vector<Vec2> simplified(const std::vector<Vec2>& line, double tolerance_m);
 
 }  // namespace swathplan::internal

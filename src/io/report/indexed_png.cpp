@@ -40,7 +40,7 @@ Dataset in_memory(const IndexedPicture& picture) {
 std::string png_bytes(const IndexedPicture& picture) {
   const QuietGdal quiet;
   const Dataset source = in_memory(picture);
-  // Named by its address: two threads never share it.
+  // The name holds an address, so that two threads never share one.
   const std::string name =
       fmt::format("/vsimem/swathplan-{}.png", static_cast<const void*>(&picture));
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("PNG");

@@ -1,4 +1,4 @@
-// Where a plan cannot be sailed as it is drawn, and what of the area the boat cannot enter.
+// Where a plan cannot be sailed as it is drawn, and which parts of the area the boat cannot enter.
 
 const cutOff = {...data.cut_off, rings: data.cut_off.rings.map(decoded),
   list: data.cut_off.list.map((piece) => ({...piece, at: [...decoded(piece.at)]}))};
@@ -42,7 +42,7 @@ function listLimits() {
     element('td', {class: 'l wrap'}, v.reason), element('td', {}, place(v.at))));
   const pieces = cutOff.list.map((piece, k) => row('▨ ' + (k + 1), () => showBox(piece.box),
     element('td', {class: 'l'}, 'area cut off'), element('td', {}, square(piece.area_m2)),
-    element('td', {class: 'l wrap'}, 'outside the boat’s safe water; its cells count all the same'),
+    element('td', {class: 'l wrap'}, 'outside the boat’s safe water; its cells still count in the coverage'),
     element('td', {}, place(piece.at))));
   const f = plan.figures;
   $('limits-sum').textContent = [

@@ -6,7 +6,7 @@ const colour = (name) => getComputedStyle(root).getPropertyValue('--' + name).tr
 /** A palette picture that knows which index lies where. */
 class Picture {
   constructor(source, palette, crisp) {
-    this.crisp = crisp;  // closer than its pixels: squares, as cells are, or a smooth ground
+    this.crisp = crisp;  // enlarged pixels stay squares, as cells are; else they are smoothed
     Object.assign(this, {columns: source.columns, rows: source.rows, box: metres(source.box)});
     this.indices = new Map();
     palette.forEach((hex, i) => {
@@ -253,7 +253,7 @@ class MapView {
     const length = (most / power >= 5 ? 5 : most / power >= 2 ? 2 : 1) * power;
     const pixels = length * this.scale();
     const x = 12, y = this.height - 8;
-    // Close up the ground reaches under the bar; a plate keeps it legible.
+    // Close up, the map lies under the scale bar. A plate behind it keeps it easy to read.
     this.ink.fillStyle = 'rgba(255,255,255,0.75)';
     this.ink.fillRect(x - 6, y - FOOT + 6, pixels + 12, FOOT);
     const bar = () => {

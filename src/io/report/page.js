@@ -76,7 +76,7 @@ function ring(map, gap) {
   }
 }
 
-// Open notes would push the maps out of sight.
+// Notes are folded: open ones would push the maps out of sight.
 function notesOf(plan) {
   const paragraphs = plan.notes.map((note) => element('p', {class: 'says'}, note));
   if (paragraphs.length === 0) return '';
@@ -251,7 +251,7 @@ function listGaps() {
   const head = element('thead', {}, element('tr', {}, element('th', {}, 'Zoom'), element('th', {}, 'Area'),
     element('th', {class: 'l'}, 'Cause'), element('th', {}, 'x, y')));
   $('gaps').replaceChildren(rows.length ? element('table', {}, head, element('tbody', {}, ...rows))
-    : element('p', {class: 'readout'}, plan.figures.holidays ? 'None is large enough to be listed.' : 'No gaps.'));
+    : element('p', {class: 'readout'}, plan.figures.holidays ? 'All gaps are too small for the list.' : 'No gaps.'));
 }
 
 // --- table -----------------------------------------------------------------------------------
@@ -267,8 +267,8 @@ const figures = [
   ['Duration', 'duration_s', time, 'low'],
   ['Duration with contingency', 'duration_with_contingency_s', time, 'low'],
   ['Energy, where the power is given', 'energy_wh', energy, 'low'],
-  ['Overlap: further soundings a covered cell', 'overlap_soundings_per_cell', ratio, ''],
-  ['Cells seen from several legs', 'several_legs_pct', percent, ''],
+  ['Overlap: soundings a covered cell, less 1', 'overlap_soundings_per_cell', ratio, ''],
+  ['Cells sounded from two or more legs', 'several_legs_pct', percent, ''],
   ['Gaps', 'holidays', count, ''],
   ['Largest gap', 'largest_holiday_m2', square, 'low'],
   ['All gaps together', 'holidays_total_m2', square, 'low'],

@@ -35,8 +35,8 @@ inline constexpr int kDepthLevels = 40, kDepthShades = 6;
 [[nodiscard]] DepthPicture depth_picture(const DepthQuery& depths, const Box2& box,
                                          std::uint32_t largest_side);
 
-/// The grid as a picture of at most `budget` bytes of PNG (a quarter of the pixels at a time is
-/// given up until it fits).
+/// The grid as a PNG. The picture gets coarser step by step until it has at most `budget` bytes, or
+/// until its longer side is as short as it may be.
 struct CoveragePicture {
   std::string png;
   std::uint32_t columns = 0, rows = 0, factor = 1;

@@ -36,7 +36,7 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-/// JSON inside a script element must not close it.
+/// JSON for a script element. The text must not close this element.
 std::string script_json(const nlohmann::ordered_json& json) {
   const std::string text =
       json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
@@ -52,7 +52,7 @@ std::string script_json(const nlohmann::ordered_json& json) {
   return out;
 }
 
-/// The page with each {{name}} replaced; what was put in is not searched again.
+/// The page with each {{name}} replaced. Text that was put in is not searched again.
 std::string filled(std::string_view page, const std::map<std::string_view, std::string>& values) {
   std::string out;
   while (true) {

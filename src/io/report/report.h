@@ -10,7 +10,7 @@
 
 namespace swathplan {
 
-/// A plan of the report; what it points to must outlive the call.
+/// A plan of the report. What it points to must outlive the call.
 struct ReportPlan {
   const PlanRecord* record = nullptr;
   const Route* route = nullptr;
@@ -19,7 +19,7 @@ struct ReportPlan {
   double planning_seconds = 0.0;
 };
 
-/// Where the plans lie; local metres. `seafloor` gives the frame, `depths` the map of depths.
+/// Where the plans lie, in local metres. `seafloor` gives the frame, `depths` the map of depths.
 struct ReportSite {
   std::string title;
   const Seafloor* seafloor = nullptr;
@@ -28,10 +28,11 @@ struct ReportSite {
   Provenance provenance;
 };
 
-/// One self-contained page that opens offline: what each plan covers and misses side by side, the
-/// map with path, regions and gates (of the last plan that has gates, else regions), what cannot be
-/// sailed as drawn and why, all figures, the largest gaps, settings and provenance. Pictures are
-/// scaled down and paths simplified by less than a pixel so that the page stays small.
+/// One self-contained page that opens offline. It shows side by side what each plan covers and
+/// misses; a map with path, regions and gates; what cannot be sailed as drawn, and why; all
+/// figures; the largest gaps; settings and provenance. Regions and gates are those of the last plan
+/// that has gates, else of the last one with regions. Pictures are scaled down, and paths
+/// simplified by less than a pixel, so that the page stays small.
 [[nodiscard]] std::string report_html(const ReportSite& site, const std::vector<ReportPlan>& plans);
 
 /// Writes it to a file.

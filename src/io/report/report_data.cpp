@@ -127,7 +127,7 @@ Json regions_json(const PlanRecord& record, const Pen& pen, double tolerance_m) 
   Json out = Json::array();
   for (const PlanRegion& r : record.regions) {
     if (r.outline.empty()) continue;
-    // The union of mesh faces leaves slits between some of them, a lattice step wide.
+    // The union of mesh faces has slits between some of them. They are one lattice step wide.
     const Area closed = offset(offset(r.outline, kSlit), -kSlit);
     out.push_back({{"rings", pen.rings(closed, tolerance_m)},
                    {"label", pen.line({inner_point(r.outline)})},
@@ -145,7 +145,7 @@ Json path_json(const Route& route, const Pen& pen, double tolerance_m) {
     for (const DisplayPath& p : path) sum += p.points.size();
     return sum;
   };
-  // Never coarser than eight tolerances: about a pixel of the whole map.
+  // The tolerance doubles three times at most, to about a pixel of the whole map.
   for (int i = 0; i < 3 && points() > kLargestPath; ++i) {
     tolerance_m *= 2.0;
     path = display_path(route, tolerance_m);
@@ -202,7 +202,7 @@ Json violations_json(const ReportPlan& plan, const Pen& pen, const Frame& frame)
   return {{"count", all.size()}, {"list", std::move(list)}};
 }
 
-/// What of the survey area the boat cannot enter.
+/// The part of the survey area that the boat cannot enter.
 Json cut_off_json(const ReportSite& site, const Pen& pen, double tolerance_m) {
   Area cut = subtract(site.survey_area, site.water);
   std::erase_if(cut, [](const Polygon& p) { return area_m2({p}) < kLeastCutOff; });

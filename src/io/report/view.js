@@ -109,7 +109,7 @@ function steer(map) {
   canvas.addEventListener('pointercancel', up);
   canvas.addEventListener('pointerleave', () => pointAt(null));
   canvas.addEventListener('wheel', (event) => {
-    // A page that scrolls past a map must not be caught by it.
+    // A map must not stop a page that scrolls past it.
     if (document.activeElement !== canvas && !event.ctrlKey) return;
     event.preventDefault();
     zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.06 : 0.002)), ...place(event));

@@ -13,15 +13,14 @@
 namespace swathplan {
 namespace {
 
-/// Depths are sampled on each face at (kSamples * (kSamples + 1)) / 2 points per triangle of it.
+/// Depths are sampled at kSamples (kSamples + 1) / 2 points in each triangle of a face.
 constexpr int kSamples = 12;
 
 struct FaceDepth {
   double mean = 0.0, min = 0.0, max = 0.0, area = 0.0;
 };
 
-/// Depth statistics below a face: evenly spread samples over the fan of triangles around its
-/// centroid.
+/// Depth statistics below a face. Samples are spread evenly over the triangles around its centroid.
 FaceDepth face_depth(const PlanarMesh& mesh, std::uint32_t face, const DepthQuery& depths) {
   const auto& corners = mesh.faces[face];
   const Vec2 centre = face_centroid(mesh, face);
@@ -72,7 +71,7 @@ int band_of(double depth, const std::vector<double>& limits) {
   return static_cast<int>(std::upper_bound(limits.begin(), limits.end(), depth) - limits.begin());
 }
 
-/// Connected sets of faces with the same label, numbered by their lowest face.
+/// The regions: connected faces of the same band, numbered by their lowest face.
 std::vector<std::uint32_t> label_regions(const std::vector<int>& band,
                                          const std::vector<SharedEdge>& edges) {
   UnionFind regions(band.size());
@@ -88,8 +87,8 @@ double edge_length(const PlanarMesh& mesh, const SharedEdge& e) {
       .norm();
 }
 
-/// Gives the smallest region under the limit to the neighbour with the longest shared border,
-/// until none is left that has a neighbour.
+/// Again and again gives the smallest region under the limit to the neighbour with the longest
+/// shared border, until no such region has a neighbour.
 void merge_slivers(const PlanarMesh& mesh, const std::vector<SharedEdge>& edges,
                    const std::vector<FaceDepth>& faces, double smallest, std::vector<int>& band) {
   for (;;) {

@@ -35,10 +35,10 @@ struct DepthRegionOptions {
   double smallest_region_m2 = 0.0;  ///< smaller regions join the neighbour with the longest border
 };
 
-/// Labels each face by the band of its mean depth, splits bands into connected regions and merges
-/// slivers. Method: [larrazabal-mdnuc] section III.B.2.
-/// @throws UsageError for limits that are not ascending or hold no face of the mesh between them
-///   and their neighbours; the message names the band.
+/// Gives each face the band of its mean depth. Faces of one band that hang together make a region.
+/// Regions that are too small join a neighbour. Method: [larrazabal-mdnuc] section III.B.2.
+/// @throws UsageError for limits that are not ascending, or for a band that holds no face of the
+///   mesh; the message names the band.
 [[nodiscard]] DepthRegions depth_regions(const PlanarMesh& mesh,
                                          const std::vector<SharedEdge>& edges,
                                          const DepthQuery& depths,

@@ -22,7 +22,7 @@ double main_direction(const Area& area) {
       const Vec2 d = ring[i] - ring[j];
       double angle =
           std::fmod(std::atan2(d.y(), d.x()) + 2.0 * std::numbers::pi, 0.5 * std::numbers::pi);
-      // A hair below a right angle is the same direction as a hair above zero.
+      // An angle just below a right angle is the same direction as one just above zero.
       if (angle > 0.5 * std::numbers::pi - 0.5 * bin) angle -= 0.5 * std::numbers::pi;
       const auto k = static_cast<std::size_t>(std::max(0.0, std::floor(angle / bin + 0.5))) %
                      static_cast<std::size_t>(kDirectionBins);
@@ -56,9 +56,9 @@ Area rotated(const Area& area, Angle angle) {
   return result;
 }
 
-/// The area whose outline the faces follow: inside the given one, details under the tolerance
-/// gone, so that a staircase of grid cells does not make a staircase of faces. Channels that the
-/// inset would close are put back with a finer one.
+/// The area whose outline the faces follow. It lies inside the given one and has no details under
+/// the tolerance, so that a staircase of grid cells does not make a staircase of faces. Channels
+/// that this would close are added again with a finer tolerance.
 Area outline_for_faces(const Area& area, double size) {
   const double fine = 0.1 * kOutlineTolerance * size;
   const double coarse = kOutlineTolerance * size;

@@ -10,14 +10,15 @@
 namespace swathplan {
 namespace {
 
-/// Nearer than this a point counts as on a line, metres: what rounding makes of survey coordinates.
+/// A point nearer than this counts as on a line, metres. Survey coordinates round by less.
 constexpr double kOnLine = 1e-6;
-/// A face under this is what rounding left between two lines, square metres.
+/// A smaller face comes from rounding between two lines, square metres.
 constexpr double kNoArea = 1e-6;
-/// Sine of a turn to the right under which a corner counts as straight.
+/// A corner that turns to the right by less than this counts as straight, as a sine.
 constexpr double kStraightTurn = 1e-6;
-/// An arc around a sub-facet's centroid goes at most 0.59 of the way to the chord of its ends;
-/// with half of it no chord between two sides passes a reflex corner by more than the arc keeps.
+/// An arc around a sub-facet's centroid goes at most 0.59 of the way to the chord of its ends. Half
+/// of that way is safe: no chord between two sides passes a reflex corner by more than the arc
+/// keeps.
 constexpr double kReflexShare = 0.5;
 
 /// Metres that p lies left of the line from a to b.
@@ -33,7 +34,7 @@ struct SubFacet {
   Vec2 before, corner, after, centroid;
 };
 
-/// The links of the cycle pass between `centre` and the corner, and see what they have to.
+/// Whether the links of the cycle pass between `centre` and the corner and stay in the sub-facet.
 bool sees_its_own(const SubFacet& s, const Vec2& centre) {
   if (left_of(s.before, s.corner, s.centroid) <= kOnLine) return false;
   if (left_of(s.corner, s.after, s.centroid) <= kOnLine) return false;
@@ -145,7 +146,7 @@ bool FaceMerging::merge(std::uint32_t f, std::uint32_t g, const MergeLimits* lim
     if (face_area(mesh_, f) + face_area(mesh_, g) > limits->largest_m2) return false;
     if (extent(face) > limits->longest_m) return false;
   }
-  // Where the run of shared edges ended, a corner may have become straight.
+  // At the ends of the run of shared edges, corners may have become straight.
   std::vector<std::uint32_t> ends;
   for (const std::uint32_t v : mesh_.faces[g]) {
     const auto in = [&](const Face& of) { return std::find(of.begin(), of.end(), v) != of.end(); };
@@ -196,7 +197,7 @@ void FaceMerging::take_away(const std::vector<std::pair<std::uint32_t, std::uint
   }
 }
 
-/// Those along an edge, the longest common one first.
+/// The neighbours along edges, the one with the longest common edge first.
 std::vector<std::uint32_t> FaceMerging::neighbours(std::uint32_t f) const {
   const Face& face = mesh_.faces[f];
   std::map<std::uint32_t, double> common;

@@ -9,35 +9,35 @@
 
 namespace swathplan {
 
-/// True if NUC can walk the face: the corners' mean sees every side, each sub-facet's centroid
-/// sees its whole sub-facet, and an arc around a reflex corner stays inside. Convex faces are
-/// sound; slightly hollow ones may be. Then the links of a skeleton lie in disjoint parts of the
-/// face, so that it does not cross itself.
+/// True if NUC can walk the face. The mean of the corners must see every side, the centroid of each
+/// sub-facet its whole sub-facet, and an arc around a reflex corner must stay inside. Convex faces
+/// are sound, slightly hollow ones may be. In a sound face the links of a skeleton lie in separate
+/// parts of the face, so the skeleton does not cross itself.
 [[nodiscard]] bool sound_for_nuc(const PlanarMesh& mesh, const PlanarMesh::Face& face);
 
 struct MergeLimits {
-  double small_m2 = 0.0;    ///< faces under this look for a neighbour
-  double largest_m2 = 0.0;  ///< none grows beyond this
-  double longest_m = 0.0;   ///< nor two of its corners farther apart than this
+  double small_m2 = 0.0;    ///< faces under this join a neighbour
+  double largest_m2 = 0.0;  ///< no face grows beyond this
+  double longest_m = 0.0;   ///< no two corners of a face come to lie farther apart
 };
 
-/// Joins faces of a conforming polygon mesh into larger ones that are sound for NUC, and keeps it
-/// conforming: a corner that ends up on a straight side with no more than a face on either side of
-/// it goes.
+/// Joins faces of a conforming polygon mesh into larger ones that are sound for NUC. The mesh stays
+/// conforming: a corner on a straight side is dropped if at most one face lies on either side of
+/// it.
 class FaceMerging {
  public:
   explicit FaceMerging(PlanarMesh mesh);
 
-  /// Takes away the edges (pairs of vertices), in their order, where the two faces along them make
-  /// a sound one, until no more of them can go.
+  /// Takes away edges (pairs of vertices), in their order, where the two faces beside an edge make
+  /// a sound one. Ends when no more edge can be taken.
   void take_away(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges);
 
-  /// Smallest first, gives each small face to the neighbour with the longest common edge among
-  /// those that it makes a sound face with within the limits.
+  /// Joins each small face, the smallest first, with the neighbour that has the longest common
+  /// edge. Only neighbours count with which it makes a sound face within the limits.
   void join_small(const MergeLimits& limits);
 
-  /// The mesh without what was merged away, faces by their centroid (y, then x). Faces without
-  /// area, as rounding leaves them, are left out.
+  /// The mesh after the merges, its faces sorted by their centroid (y, then x). Faces without area,
+  /// which come from rounding, are left out.
   [[nodiscard]] PlanarMesh result() const;
 
  private:

@@ -9,7 +9,7 @@
 namespace swathplan {
 namespace {
 
-/// Points of the profile from one face's centroid through the edge to the other's.
+/// Points of the depth profile from one face's centroid over the edge to the other centroid.
 constexpr int kProfilePoints = 24;
 
 double depth_at(const DepthQuery& depths, const Vec2& p) {
@@ -17,8 +17,9 @@ double depth_at(const DepthQuery& depths, const Vec2& p) {
   return found ? *found : depths.nearest_depth(p);
 }
 
-/// Slope of the seafloor across an edge: rise and fall along centroid - edge midpoint - centroid
-/// over the way's length, so that a wall counts wherever on the way it stands.
+/// Slope of the seafloor across an edge: all rise and fall on the way from centroid to edge
+/// midpoint to centroid, over the length of the way. So a wall counts wherever on the way it
+/// stands.
 Angle slope_across(const PlanarMesh& mesh, const SharedEdge& e, const DepthQuery& depths) {
   const auto& face = mesh.faces[e.face[0]];
   const Vec2 middle =

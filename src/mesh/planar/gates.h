@@ -14,16 +14,16 @@ struct Gate {
   Angle slope;                       ///< slope of the seafloor across the edge
 };
 
-/// Gates of the spanning tree of regions, and every other edge between regions: blocked.
+/// The gates of the spanning tree of regions. Every other edge between regions is blocked.
 struct Gates {
   std::vector<Gate> gates;                   ///< by (region_a, region_b)
   std::vector<std::uint32_t> blocked_edges;  ///< indices into the shared edges, ascending
 };
 
-/// Chooses for each pair of neighbouring regions the edge across which the seafloor slopes least
-/// (ties: the longest, then the first), then keeps a spanning tree of the regions, lowest slope
-/// first, so that each region is entered once even where regions form a ring.
-/// Method: [larrazabal-mdnuc] section III.B.2-3.
+/// Chooses for each pair of neighbouring regions the edge across which the seafloor slopes least.
+/// Of equal slopes it takes the longest edge, then the first. A spanning tree of the regions,
+/// lowest slope first, keeps some of these. So each region is entered once, even where regions form
+/// a ring. Method: [larrazabal-mdnuc] section III.B.2-3.
 [[nodiscard]] Gates choose_gates(const PlanarMesh& mesh, const std::vector<SharedEdge>& edges,
                                  const DepthRegions& regions, const DepthQuery& depths);
 

@@ -27,9 +27,10 @@ using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Tds>;
 using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
 using Mesher = CGAL::Delaunay_mesher_2<Cdt, Criteria>;
 
-/// Shares of the hypotenuse.
-constexpr double kLatticeKeepOff = 0.42;  ///< of the lattice step: nodes nearer the outline go
-constexpr double kLargestEdge = 1.6;      ///< of the lattice step, before a face is refined
+/// Lattice nodes nearer to the outline than this share of the lattice step are left out.
+constexpr double kLatticeKeepOff = 0.42;
+/// A face with an edge longer than this, in lattice steps times the square root of 2, is refined.
+constexpr double kLargestEdge = 1.6;
 
 class Builder {
  public:
@@ -59,7 +60,7 @@ class Builder {
     }
   }
 
-  /// Splits faces that are too large; holes and what lies between parts stay out of the mesh.
+  /// Splits faces that are too large. Holes, and the ground between parts, stay out of the mesh.
   void refine() {
     Mesher mesher(cdt_);
     const AreaQuery query(area_);
@@ -69,15 +70,15 @@ class Builder {
       if (!query.contains({c.x(), c.y()})) outside.push_back(c);
     }
     mesher.set_seeds(outside.begin(), outside.end(), false);
-    // No bound on the shape: it would fill the strips along quays with small faces, and every face
-    // costs path. Size alone is bounded.
+    // Only the size is bounded. A bound on the shape would fill the strips along quays with small
+    // faces, and every face makes the path longer.
     mesher.set_criteria(Criteria(0.0, kLargestEdge * step_ * std::numbers::sqrt2));
     mesher.refine_mesh();
   }
 
   [[nodiscard]] PlanarMesh mesh(Angle angle) const {
     PlanarMesh result;
-    // Faces in a geometric order: CGAL's own order depends on addresses.
+    // Faces are sorted by place, since CGAL's own order depends on memory addresses.
     struct Item {
       std::array<Vec2, 3> corner;
       Vec2 centre;

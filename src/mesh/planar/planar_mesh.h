@@ -17,8 +17,8 @@ struct PlanarMesh {
   std::vector<Face> faces;
 };
 
-/// Where two faces meet: `face[0] < face[1]`; `edge[k]` is the index of the edge in face k, running
-/// from its corner `edge` to the next one.
+/// An edge that two faces share. `face[0] < face[1]`. In face k the edge runs from the corner with
+/// the number `edge[k]` to the next one.
 struct SharedEdge {
   std::array<std::uint32_t, 2> face;
   std::array<std::uint32_t, 2> edge;
@@ -40,10 +40,10 @@ struct PlanarMeshOptions {
   Angle turn = {};             ///< of the lattice against the area's main direction
 };
 
-/// Triangulates the whole area, boundary included, into faces near right isosceles whose
-/// hypotenuse is near `hypotenuse_m`: a square lattice fitted to the area's main direction, a
-/// constrained Delaunay triangulation of it with the outline, refined where faces are too large.
-/// Channels narrower than a face get smaller faces.
+/// Triangulates the whole area up to its outline. Faces are nearly right isosceles triangles with a
+/// hypotenuse near `hypotenuse_m`. A square lattice is laid along the area's main direction. A
+/// constrained Delaunay triangulation joins it with the outline, and faces that are too large are
+/// refined. Channels narrower than a face get smaller faces.
 /// Guarantees: (1) the union of the faces is the area, up to outline details under 2 % of the
 /// hypotenuse; (2) no face leaves the area; (3) parts of the area do not connect.
 /// Method: [larrazabal-mdnuc] section III.B.1.

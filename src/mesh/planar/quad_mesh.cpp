@@ -21,16 +21,17 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using QuadCdt =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Exact_predicates_tag>;
 
-/// Shares of a cell: a piece under the first joins a neighbour, unless both exceed the second.
+/// A piece under the first share of a cell joins a neighbour, unless both together exceed the
+/// second.
 constexpr double kSmallPiece = 0.4;
 constexpr double kLargestPiece = 1.6;
-/// Longest face in sides: two cells in a row, corner to corner.
+/// The longest face, in sides: two cells in a row, measured from corner to corner.
 constexpr double kLongestPiece = 2.25;
 
-/// Nearer to the outline than this, only an exact look tells inside from outside, metres.
+/// Nearer to the outline than this only an exact test tells inside from outside, metres.
 constexpr double kLookClosely = 10.0 * AreaQuery::kOnOutline;
 
-/// The cells' pieces as triangles, and the edges between them that no line of the lattice runs on.
+/// The pieces of cells as triangles, and the edges between them that are not on a lattice line.
 struct Pieces {
   PlanarMesh mesh;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> inner_edges;
@@ -43,9 +44,9 @@ void insert_ring(QuadCdt& cdt, const Ring& ring) {
   }
 }
 
-/// Lines of the lattice right across the polygon and a step beyond, so that their ends never lie
-/// on the outline. From node to node: where a piece meets the outline CGAL rounds, and what is left
-/// of a longer one would miss the nodes beyond.
+/// Inserts the lines of the lattice across the polygon and a step beyond, so that their ends never
+/// lie on the outline. Each line is inserted from node to node. Where a piece meets the outline
+/// CGAL rounds, and the rest of a longer piece would miss the nodes behind.
 void insert_lattice(QuadCdt& cdt, const Box2& box, double side) {
   const Vec2 size = box.size();
   const Vec2 step(fitted_step(size.x(), side), fitted_step(size.y(), side));
@@ -70,7 +71,7 @@ void insert_lattice(QuadCdt& cdt, const Box2& box, double side) {
 
 Vec2 position(const QuadCdt::Vertex_handle& v) { return {v->point().x(), v->point().y()}; }
 
-/// Inside triangles in a geometric order: CGAL's own order depends on addresses.
+/// The triangles inside, sorted by place, since CGAL's own order depends on memory addresses.
 std::vector<QuadCdt::Face_handle> inside_triangles(const QuadCdt& cdt, const Area& part) {
   const AreaQuery query(part);
   std::vector<std::pair<Vec2, QuadCdt::Face_handle>> found;
@@ -90,8 +91,8 @@ std::vector<QuadCdt::Face_handle> inside_triangles(const QuadCdt& cdt, const Are
   return result;
 }
 
-/// Vertices of the pieces. A line that runs through a corner of the outline meets it a rounding
-/// error away: what is nearer than kSame is one vertex.
+/// The vertices of the pieces. Vertices nearer than kSame are one: a line through a corner of the
+/// outline meets it only up to a rounding error.
 class Vertices {
  public:
   explicit Vertices(PlanarMesh& mesh) : mesh_(mesh) {}

@@ -16,7 +16,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Face = Seafloor::Face;
 
-/// Which parts are closed, and whether all their faces already agree on one side.
+/// Which parts are closed, and whether the faces of each already look to one side.
 struct Bodies {
   UnionFind parts;
   std::vector<bool> closed;  ///< by the lowest face of the part
@@ -79,8 +79,8 @@ std::vector<double> signed_volumes(const Seafloor& mesh, Bodies& bodies) {
   return volume;
 }
 
-/// Walls that have lost a neighbour across an edge with a length in plan hang in the air: taken
-/// too, and so on up the wall. Edges that stand upright do not count: inner walls meet outer ones
+/// Drops walls that hang in the air: those that have lost a neighbour across an edge with a length
+/// in plan. This goes on up the wall. Upright edges do not count, since inner walls meet outer ones
 /// there.
 void drop_hanging_walls(const Seafloor& mesh, std::vector<bool>& dropped) {
   const std::vector<EdgeUse> uses = edge_uses(mesh.faces, mesh.vertices.size());

@@ -8,7 +8,7 @@
 namespace swathplan {
 namespace {
 
-/// Border edges leave each vertex along as many loops as pass through it: walks them all.
+/// Walks all loops of border edges. Several loops may pass through one vertex.
 std::size_t count_loops(const std::vector<EdgeUse>& border,
                         const std::vector<Seafloor::Face>& faces) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> steps;  // from, to; sorted by from

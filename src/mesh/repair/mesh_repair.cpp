@@ -22,8 +22,8 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Face = Seafloor::Face;
 
-/// A sheet whose plan area is under this share of its true area stands on edge: its plan area is
-/// rounding noise (double arithmetic leaves about 1e-16 to 1e-12 of it).
+/// A sheet stands on edge if its plan area is under this share of its true area. Rounding alone
+/// leaves a share of about 1e-16 to 1e-12.
 constexpr double kVerticalSheetShare = 1e-9;
 
 Kernel::Point_3 point3(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -51,7 +51,7 @@ void check(const Seafloor& soup) {
   }
 }
 
-/// Merges equal points, then equal faces (CGAL); drops faces with a corner twice in between.
+/// Merges equal points, then drops faces with a corner twice, then merges equal faces (CGAL).
 void weld(Seafloor& s, MeshHealth& health) {
   std::vector<Kernel::Point_3> points;
   points.reserve(s.vertices.size());
@@ -78,29 +78,29 @@ CGAL::Orientation plan_orientation(const Seafloor& s, const Face& f) {
                            point2(s.vertices[f[2]]));
 }
 
-/// Walls have no upper side: each takes the sense of a neighbour that has one, or of a wall that
-/// was given it, breadth first.
-void orient_walls(Seafloor& s, std::vector<bool> settled, MeshHealth& health) {
+/// Orients walls, which have no upper side. Each takes the sense of a neighbour that is oriented,
+/// breadth first. `oriented`: one flag a face.
+void orient_walls(Seafloor& s, std::vector<bool> oriented, MeshHealth& health) {
   const std::vector<EdgeUse> uses = edge_uses(s.faces, s.vertices.size());
   std::vector<std::vector<std::pair<std::uint32_t, bool>>> neighbours(s.faces.size());
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     if (edge.size() != 2) return;
     const bool agree = edge[0].ascends != edge[1].ascends;
     for (const std::size_t k : {0U, 1U}) {
-      if (!settled[edge[1 - k].face]) {
+      if (!oriented[edge[1 - k].face]) {
         neighbours[edge[k].face].emplace_back(edge[1 - k].face, agree);
       }
     }
   });
   std::vector<std::uint32_t> queue;
   for (std::uint32_t f = 0; f < s.faces.size(); ++f) {
-    if (settled[f] && !neighbours[f].empty()) queue.push_back(f);
+    if (oriented[f] && !neighbours[f].empty()) queue.push_back(f);
   }
   std::vector<bool> flipped(s.faces.size(), false);
   for (std::size_t i = 0; i < queue.size(); ++i) {
     for (const auto& [wall, agree] : neighbours[queue[i]]) {
-      if (settled[wall]) continue;
-      settled[wall] = true;
+      if (oriented[wall]) continue;
+      oriented[wall] = true;
       flipped[wall] = agree == flipped[queue[i]];
       queue.push_back(wall);
     }
@@ -113,22 +113,22 @@ void orient_walls(Seafloor& s, std::vector<bool> settled, MeshHealth& health) {
 }
 
 void orient_up(Seafloor& s, MeshHealth& health) {
-  std::vector<bool> settled(s.faces.size(), true);
+  std::vector<bool> oriented(s.faces.size(), true);
   bool has_walls = false;
   for (std::size_t f = 0; f < s.faces.size(); ++f) {
     const CGAL::Orientation turn = plan_orientation(s, s.faces[f]);
     if (turn == CGAL::COLLINEAR) {
-      settled[f] = false;
+      oriented[f] = false;
       has_walls = true;
     } else if (turn == CGAL::CLOCKWISE) {
       std::swap(s.faces[f][1], s.faces[f][2]);
       ++health.flipped_faces;
     }
   }
-  if (has_walls) orient_walls(s, std::move(settled), health);
+  if (has_walls) orient_walls(s, std::move(oriented), health);
 }
 
-/// Gives the fans of faces around a vertex of a non-manifold edge a vertex each, so that every edge
+/// At a vertex of a non-manifold edge, gives each fan of faces a vertex of its own. So every edge
 /// is left with at most two faces.
 void split_non_manifold(Seafloor& s, MeshHealth& health) {
   const std::vector<EdgeUse> uses = edge_uses(s.faces, s.vertices.size());

@@ -30,10 +30,11 @@ struct RepairedSeafloor {
   MeshHealth health;
 };
 
-/// Welds, drops degenerate and duplicate faces, takes the underside off closed bodies, turns every
-/// face up, splits non-manifold edges, drops unused vertices. Does not move a vertex.
-/// @throws InvalidInput without a face that has a plan area (empty mesh, flat vertical sheet), with
-///   a non-finite coordinate or an index out of range; the message names the element.
+/// Mends a mesh. It merges equal vertices, drops degenerate and duplicate faces, takes the
+/// underside off closed bodies, turns every face up, splits non-manifold edges and drops unused
+/// vertices. No vertex moves.
+/// @throws InvalidInput if no face has a plan area (empty mesh, flat vertical sheet), or for a
+///   coordinate that is not finite or an index out of range; the message names the element.
 [[nodiscard]] RepairedSeafloor repair(Seafloor soup);
 
 /// Counts vertices, faces, parts, boundary loops, walls and non-manifold edges of a mesh as it is.

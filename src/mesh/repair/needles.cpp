@@ -14,7 +14,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Face = Seafloor::Face;
 
-/// Needles beside needles take a pass each; what is left after so many is dropped as it is.
+/// Needles beside needles take one pass each. Needles that are left after so many passes are simply
+/// dropped.
 constexpr int kMostPasses = 32;
 
 bool is_needle(const Seafloor& s, const Face& f) {
@@ -25,7 +26,7 @@ bool is_needle(const Seafloor& s, const Face& f) {
   return CGAL::collinear(point(f[0]), point(f[1]), point(f[2]));
 }
 
-/// The corner opposite to the longest edge: it lies on that edge.
+/// The corner opposite to the longest edge. In a needle it lies on that edge.
 std::size_t middle_corner(const Seafloor& s, const Face& f) {
   std::array<double, 3> opposite{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -35,7 +36,7 @@ std::size_t middle_corner(const Seafloor& s, const Face& f) {
                                   opposite.begin());
 }
 
-/// The other face at the edge from corner `corner` of face `f`; none where there is not exactly
+/// Finds the other face at the edge from corner `corner` of face `f`; none unless there is exactly
 /// one.
 class Neighbours {
  public:
@@ -59,7 +60,7 @@ class Neighbours {
   std::vector<EdgeUse> uses_;
 };
 
-/// One pass: takes every needle whose neighbourhood has not changed yet in this pass.
+/// One pass. Takes every needle whose neighbourhood has not changed yet in this pass.
 void take_needles(Seafloor& mesh) {
   const Neighbours neighbours(mesh);
   std::vector<bool> changed(mesh.faces.size(), false);

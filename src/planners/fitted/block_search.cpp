@@ -35,8 +35,8 @@ std::vector<std::size_t> BlockSearch::largest() const {
   return order;
 }
 
-/// As many rows as the base's density asks for, and one more or less. Across they pay where they
-/// save the way back out of a basin, and then with few of them.
+/// Adds layouts with as many rows as the base's density asks for, with one more and with one less.
+/// Rows across the base's pay where they save the way back out of a basin. Few of them do then.
 void BlockSearch::add_layouts(std::size_t block) {
   std::vector<char> mask(blocks_.of_cell.size());
   std::transform(blocks_.of_cell.begin(), blocks_.of_cell.end(), mask.begin(),

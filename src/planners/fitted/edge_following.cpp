@@ -12,12 +12,12 @@
 namespace swathplan {
 namespace {
 
-/// Where a line lies in the water ahead of the edge, in swaths, is halved so many times where
-/// nothing fits: strips are left that are narrower than half a swath.
+/// A line lies so many swaths ahead of the edge. Where no line fits, this distance is halved, up to
+/// kHalvings times: strips narrower than half a swath are left then.
 constexpr int kHalvings = 3;
-/// Lines that bring less than this share of W in new square metres per metre are not worth it.
+/// A line must sweep at least this share of W in new square metres per metre.
 constexpr double kLeastGain = 0.05;
-/// No area takes more rounds than this; a safeguard of the loop.
+/// The loop surely ends: no area takes more rounds than this.
 constexpr int kMostRounds = 5000;
 
 class EdgeFollower {
@@ -45,7 +45,7 @@ class EdgeFollower {
     return ahead > 0.5 * std::pow(0.5, kHalvings) * 0.5;
   }
 
-  /// The lines `ahead` swaths before the edge that sweep anything worth it.
+  /// The lines `ahead` swaths before the edge that sweep enough.
   std::vector<SurveyCurve> lay(double ahead) {
     const WaterRaster& raster = ground_.raster();
     const Front front = march(raster, open_, front_, ahead + kBeyond);
@@ -83,7 +83,7 @@ class EdgeFollower {
            kLeastGain * w * length_m(SurveyCurve{line.points});
   }
 
-  /// Marks what the line sweeps; its outline joins the edges.
+  /// Marks what the line sweeps. Its outline is added to `edges`.
   void take(const SweptLine& line, std::vector<SurveyCurve>& edges) {
     for (const std::uint32_t cell : line.cells) open_[cell] = 0.0F;
     edges.push_back({line.port});
@@ -136,8 +136,8 @@ std::vector<SurveyCurve> pieces_from(const FieldWall& wall, const SweptGround& s
   return lines;
 }
 
-/// Lines of one of the separate waters, from the wall that the simulator likes best, else the
-/// first.
+/// The lines of one of the separate waters. They start from the wall with the best score, or,
+/// without a scene, from the first one.
 std::vector<SurveyCurve> lines_of_water(const Polygon& water, const SweptGround& swaths,
                                         const std::vector<float>& width, LineWorkshop& shop) {
   const double tolerance = kWallTolerance * footprint_width_m(shop.options());

@@ -19,8 +19,8 @@ struct EdgeFollowingOptions {
 /// wall. The near edge of each later swath falls on the outer edge of the swath before it, less the
 /// margin. This goes on until no line could sweep more. Where the edge of the swept water divides
 /// (at a basin, an island), each piece is followed. A strip too narrow for that gets a line nearer
-/// to its edge. Each bend of an edge passes on to the next line. In the order in which they are
-/// laid; inside `lines_in`.
+/// to its edge. Each bend of an edge passes on to the next line. Lines come in the order in which
+/// they are laid, and lie inside `lines_in`.
 [[nodiscard]] std::vector<SurveyCurve> edge_following_lines(
     const SweptGround& ground, const AreaQuery& lines_in, const FieldWall& wall,
     const EdgeFollowingOptions& options = {});

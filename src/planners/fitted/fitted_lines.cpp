@@ -25,13 +25,13 @@ constexpr int kFewestCandidates = 30;
 /// One coarse judgement should not cost more than this many rays.
 constexpr double kRaysOfOne = 4e6;
 constexpr double kRaysToSteer = 3e6;
-/// Sites with more rays than this in a plan are large: joining their lines and filling their gaps
-/// costs tens of seconds a plan, so fewer plans get that far.
+/// Sites with more rays than this in a plan are large. To join their lines and fill their gaps
+/// takes tens of seconds a plan, so it is done for fewer plans.
 constexpr double kRaysOfLarge = 3e7;
 constexpr std::size_t kFewFinalists = 3;
-/// Sites whose gap-free lines cost more rays than this are huge: one exact score takes the better
-/// part of a minute. There candidates are judged on cells so coarse that all of them cost about
-/// kRaysOfHuge / 2, and hardly more than one plan of each kind is finished.
+/// Sites whose gap-free lines cost more rays than this are huge. One exact score takes most of a
+/// minute there. So candidates are judged on cells so coarse that all of them cost about
+/// kRaysOfHuge / 2, and hardly more than one plan of each kind is joined and scored in full.
 constexpr double kRaysOfHuge = 2e8;
 constexpr int kCoarsest = 4;
 constexpr int kCandidatesOfHuge = 16;
@@ -42,8 +42,7 @@ constexpr double kGapOfLeast = 1.2;
 constexpr double kInfillGains[] = {0.3, 0.13, 0.07};
 /// Choices differ in length by at least this share.
 constexpr double kBand = 0.001;
-/// Infill is tried on this many plans: in turn the best one at each of these multiples of the price
-/// of an ideal length.
+/// Infill is tried on the plans that are best at these multiples of the price of an ideal length.
 constexpr double kInfillPrices[] = {1.0, 2.25, 3.0, 0.375, 0.6};
 constexpr std::size_t kInfillOn = 5;
 constexpr std::size_t kInfillOnLarge = 2;
@@ -132,8 +131,8 @@ void infill_best(std::vector<JudgedLines>& plans, LineWorkshop& shop) {
   }
 }
 
-/// Of the plans that no other beats, the best of each band of length (one with fewer infeasible
-/// legs, if any): a list that people can read.
+/// The plans that no other beats, but of plans of nearly the same length only one: the best of
+/// those with the fewest infeasible legs. So the list is short enough to read.
 std::vector<std::size_t> choices_of(const std::vector<JudgedLines>& plans) {
   std::vector<std::size_t> kept;
   const auto front = pareto_front(outcomes_of(plans));
@@ -150,8 +149,8 @@ std::vector<std::size_t> choices_of(const std::vector<JudgedLines>& plans) {
   return kept;
 }
 
-/// Without a simulator: lines along the long side, as many as W asks for.
-Plan unseen_plan(LineWorkshop& shop) {
+/// Lines along the area's long side, as many as W asks for.
+Plan plan_without_scene(LineWorkshop& shop) {
   StraightCandidate c;
   c.azimuth_deg =
       shop.options()
@@ -174,7 +173,7 @@ Plan plan_fitted_lines(const Ground& ground, const PlanOptions& options) {
     return plan_fewest_hours(ground, options);
   }
   LineWorkshop shop(ground, options);
-  if (ground.scene == nullptr) return unseen_plan(shop);
+  if (ground.scene == nullptr) return plan_without_scene(shop);
   std::vector<JudgedLines> plans;
   if (options.lines != LineSource::field) {
     for (JudgedCandidate& j : search_straight_lines(shop, budget_for(shop))) {

@@ -13,7 +13,7 @@ namespace {
 /// Rounding of cutting a pass at the outline, metres.
 constexpr double kPassDust = 1e-6;
 
-/// Stretches in the order they are sailed, with where a pass may go in between.
+/// The stretches in sailing order. Finds the place between two of them where a pass costs least.
 class Itinerary {
  public:
   Itinerary(std::vector<RouteStretch> stretches, const JoinCost& cost)
@@ -26,7 +26,7 @@ class Itinerary {
   };
 
   [[nodiscard]] Place cheapest(const InfillPass& pass) const {
-    // By the straight ways first: they are lower bounds of the ways through the water.
+    // Straight ways are lower bounds of the ways through the water, so they are compared first.
     std::vector<Place> places;
     for (std::size_t k = 0; k <= stretches_.size(); ++k) {
       if (k < stretches_.size() && stretches_[k].join) continue;
@@ -55,7 +55,7 @@ class Itinerary {
                       {std::move(points), false});
   }
 
-  /// Runs of stretches that keep their joins, each to be added as one line.
+  /// Runs of stretches that keep the joins between them. Each run is added as one line.
   [[nodiscard]] std::vector<std::vector<Waypoint>> runs() const {
     std::vector<std::vector<Waypoint>> result;
     bool after_join = false;

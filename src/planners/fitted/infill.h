@@ -22,7 +22,7 @@ struct InfilledRoute {
 /// goes between two lines where the detour is least; the order of the lines stays. The pass that
 /// brings most comes first. The search ends when no pass is worth it, or none has room for the
 /// turns onto it and away from it. Joins stay, except where a pass goes in between. `grid`: what
-/// the route covers, as score() gives it. Nothing worth it: the route itself.
+/// the route covers, as score() gives it. If no pass is worth it, the route comes back unchanged.
 [[nodiscard]] InfilledRoute with_infill(const Route& route, const CoverageGrid& grid,
                                         LineWorkshop& shop, const InfillOptions& options = {});
 /// The same for a route that was not scored yet. It is scored, gets passes and is scored again, up

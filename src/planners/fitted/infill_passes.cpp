@@ -8,14 +8,14 @@
 namespace swathplan {
 namespace {
 
-/// Empty squares are gathered to bins of this size at least, metres.
+/// Empty cells are summed up in bins. A bin is at least so wide, metres.
 constexpr double kFinestBin = 0.5;
-/// Rounding of cutting a pass at the outline, metres.
+/// What a cut at the outline may be off by rounding, metres.
 constexpr double kDust = 1e-6;
-/// Share of the swath that a pass may count on: its rim is thinly sounded.
+/// The share of its swath that a pass may count on. The rim is thinly sounded.
 constexpr double kSureShare = 0.9;
 
-/// Square metres of empty cells per cell of the raster, listed.
+/// The square metres of empty cells in each cell of the raster that has some.
 std::vector<std::pair<Vec2, double>> gather(const CoverageGrid& grid, const LineWorkshop& shop,
                                             double smallest_m2) {
   const WaterRaster& raster = shop.raster();
@@ -61,7 +61,7 @@ EmptyGround::EmptyGround(const CoverageGrid& grid, LineWorkshop& shop, double le
     h.across = {h.along.y(), -h.along.x()};
     Box2 turned;
     for (const Vec2& c : corners) turned.extend({c.dot(h.along), c.dot(h.across)});
-    // A pass may run beside the gap, half a swath off.
+    // A pass may run half a swath beside the gap.
     turned.min.y() -= 0.5 * widest;
     turned.max.y() += 0.5 * widest;
     h.origin = turned.min;
@@ -95,7 +95,7 @@ double EmptyGround::swath_gain(const Heading& h, std::size_t column, std::size_t
   return gain;
 }
 
-/// The run along a row with the most gain less its length's price (Kadane).
+/// The run along a row with the most gain, less the price of its length (Kadane's algorithm).
 InfillPass EmptyGround::best_on(const Heading& h, std::size_t row) const {
   InfillPass best;
   double best_worth = 0.0;
@@ -123,7 +123,7 @@ InfillPass EmptyGround::best_on(const Heading& h, std::size_t row) const {
       first = c + 1;
     } else if (worth > best_worth) {
       best_worth = worth;
-      // From centre to centre, since the centres are known to lie in water.
+      // The pass runs from centre to centre: these are known to lie in water.
       best = {at(static_cast<double>(first) + 0.5), at(static_cast<double>(c) + 0.5), gain};
     }
   }
@@ -170,7 +170,7 @@ std::optional<InfillPass> EmptyGround::take_best(
     // Land narrower than a bin may lie between two centres.
     if (shop_.lines_in().inside_length(pass.from, pass.to) < length - kDust) continue;
     if (!rows_.empty() && worth < rows_.front().bound) {
-      // Even without a detour it is not the best. The detour is slow to compute.
+      // The pass is not the best even without its detour, which is slow to compute.
       row.bound = worth;
       rows_.push_back(row);
       std::push_heap(rows_.begin(), rows_.end(), less);

@@ -23,7 +23,7 @@ namespace {
 /// Shortest line, metres.
 constexpr double kLeastLineM = 1.0;
 
-/// Candidates run on so far beyond the area, as a share of W, before what brings nothing is cut.
+/// Candidates run on so far beyond the area, as a share of W. Then ends that bring nothing are cut.
 constexpr double kRunOn = 0.5;
 /// Walls are straight to this share of the median W.
 constexpr double kBankTolerance = 0.05;
@@ -31,7 +31,7 @@ constexpr std::size_t kBanks = 4;
 constexpr double kFrontStepDeg = 15.0;
 /// Isobaths that fronts start from: shares of the area that lie shoaler.
 constexpr double kIsobaths[] = {0.02, 0.2, 0.5, 0.8};
-/// A missed square metre costs about this many times what a swept one does: passes overlap.
+/// A missed square metre costs about this many times as much as a swept one, since passes overlap.
 constexpr double kMissedPrice = 1.5;
 /// Number of the best fronts that are tried with each spacing.
 constexpr std::size_t kBestFronts = 4;
@@ -46,7 +46,8 @@ constexpr int kMostRows = 4;
 constexpr double kEdgeMargins[] = {0.0, 0.03, 0.06, 0.1, 0.15, 0.2};
 /// Number of the best candidates that are laid anew for the judge.
 constexpr std::size_t kFinalists = 2;
-/// What is left free for the finer look at the end, of the share that may be missed.
+/// The part of the share that may be missed which the search leaves free. The finer cells of the
+/// judge may find more missed.
 constexpr double kReserve = 0.1;
 
 struct Source {
@@ -54,11 +55,11 @@ struct Source {
   std::vector<SurveyCurve> curves;
 };
 
-/// How lines are laid, on a raster of any fineness.
+/// How a set of lines is laid. It can be laid on cells of any size.
 struct Recipe {
   std::string what;
   std::function<std::vector<SurveyCurve>(const SweptGround&)> lay;
-  bool closed = false;  // by passes over the gaps
+  bool closed = false;  // passes close its gaps
 };
 
 struct Candidate {
@@ -118,14 +119,14 @@ class Designer {
       trim_ends(result.lines, ground, 0.0);
       result.passes = std::min(result.passes, result.lines.size());
     }
-    drop_scraps(result);
+    drop_short_pieces(result);
     result.figures = judge_lines(result.lines, ground);
     return result;
   }
 
-  /// Drops the short pieces that islands and ragged edges leave of lines: they are not worth a
+  /// Drops the short pieces that islands and ragged edges leave of lines. They are not worth a
   /// turn.
-  static void drop_scraps(DesignedLines& lines) {
+  static void drop_short_pieces(DesignedLines& lines) {
     std::erase_if(lines.lines, [](const SweptLine& line) {
       double metres = 0.0;
       for (std::size_t i = 0; i + 1 < line.points.size() && metres < kLeastLineM; ++i) {
@@ -161,7 +162,7 @@ class Designer {
     return least;
   }
 
-  /// The fewest rows from `fewest` on that miss little enough, or `most`.
+  /// The fewest rows, from `fewest` on, that miss little enough; else `most`.
   template <class F>
   [[nodiscard]] int fewest_rows(int fewest, int most, const F& lines_of) const {
     int low = fewest;
@@ -231,7 +232,8 @@ class Designer {
     return best;
   }
 
-  /// The outermost rows' swaths end at the area's edges: what lies beyond is swept for nothing.
+  /// The swaths of the outermost rows end at the area's edges. Beyond them they would sweep nothing
+  /// that counts.
   [[nodiscard]] std::vector<SurveyCurve> rows_of(Angle azimuth, double percentile, int rows,
                                                  const SweptGround& ground) const {
     return fitted_straight_lines(ground.raster(), ground.width(), area_, lines_in_,
@@ -247,7 +249,7 @@ class Designer {
       for (const double percentile : kPercentiles) {
         const double swaths =
             row_widths(ground_.raster(), ground_.width(), azimuth, percentile).total();
-        // The outer halves of the first and the last row overlap nothing.
+        // The outer halves of the first and the last row need no overlap.
         const int fewest =
             std::max(1, 1 + static_cast<int>(std::ceil((swaths - 1.0) / (1.0 - options_.overlap))));
         const auto spaced = [&](int rows) {
@@ -395,7 +397,7 @@ DesignedLines design_lines(const Ground& planning, const DesignGround& search,
 
 namespace {
 
-/// A line and the way to the next one; the waypoints of a transit hold its sailing.
+/// Writes the route: line after line, and the way from each to the next.
 class LineRoute {
  public:
   LineRoute(const Area& water, Angle opening, const Vehicle& vehicle)
@@ -425,7 +427,7 @@ class LineRoute {
   }
 
  private:
-  /// Around land and no-go where a straight would cross them; marked where no way leads there.
+  /// Goes straight, or around land and no-go. Where no way leads there, the transit is infeasible.
   void lead_to(const Vec2& next) {
     const auto way = ways_.find(route_.waypoints.back().position, next);
     route_.waypoints.back().feasible = way.has_value();

@@ -55,9 +55,9 @@ struct DesignedLines {
                                          const DesignGround& judge,
                                          const LineDesignOptions& options);
 
-/// The lines in an order that keeps the way between them short (line_order.h), joined by transits
-/// with the sonar off: straight, or around what is no safe water (water_path.h); marked infeasible
-/// where no way leads from one line to the next. Not steered: corners are sharp.
+/// The lines in an order that keeps the ways between them short (line_order.h), joined by transits
+/// with the sonar off. A transit is straight, or leads around what is no safe water (water_path.h).
+/// It is infeasible if no way leads to the next line. Corners are sharp: nothing is steered.
 [[nodiscard]] Route route_of(const DesignedLines& designed, const Area& water, Angle opening,
                              const Vehicle& vehicle);
 

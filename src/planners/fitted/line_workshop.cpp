@@ -36,7 +36,7 @@ double LineWorkshop::mean_ping_spacing_m() const {
 }
 
 double LineWorkshop::price() {
-  // Fans a little wider than without gaps, as candidates have them.
+  // Candidates open their fans a little wider than gap-free, so the least length is for such fans.
   constexpr double kGap = 1.2;
   const double ideal = area_m2(ground_.survey_area) / footprint_width_m(options_);
   return worth_per_ratio(least_line_m(raster_, width(kGap)) / ideal);
@@ -93,8 +93,8 @@ Outcome LineWorkshop::estimate(const std::vector<SurveyCurve>& lines,
                                int coarse, std::string what) {
   Route route;
   const Vehicle& vehicle = options_.vehicle;
-  double joins = 0.0;          // metres of the joins beyond the straight ways that are scored
-  double joins_seconds = 0.0;  // ... and seconds
+  double joins = 0.0;          // metres of joins, less the straight ways that are scored for them
+  double joins_seconds = 0.0;  // the same in seconds
   for (const auto& line : sailed(lines, width, angles)) {
     auto& w = route.waypoints;
     const LineEnds here = ends_of(line);
@@ -108,8 +108,8 @@ Outcome LineWorkshop::estimate(const std::vector<SurveyCurve>& lines,
       joins_seconds += join / (turn ? vehicle.turn_speed_mps : vehicle.transit_speed_mps);
       joins_seconds -= straight / w.back().speed_mps;
       w.back().kind = LegKind::transit;
-      // A way that runs straight sounds about what the steered one will; what runs around something
-      // sounds elsewhere.
+      // A straight way sounds about what the steered one will. A way around something sounds
+      // elsewhere, so its sonar is off here.
       if (joins_.way(w.back().position, here.from) > straight) w.back().fan.reset();
       w.back().line.reset();
       w.back().log = false;

@@ -17,10 +17,11 @@ namespace {
 constexpr double kDirectionStepDeg = 15.0;
 /// Numbers of lines that are tried first, as shares of the number that W asks for.
 constexpr double kLineShares[] = {1.0, 0.85, 0.7, 1.15};
-/// Directions that ask for this many times the fewest lines' metres are left out.
+/// The direction with the least metres of line is the yardstick. Directions that ask for more than
+/// this many times as much are left out.
 constexpr double kLongest = 1.3;
-/// Plans under this coverage are of no use, %.
-constexpr double kUseless = 70.0;
+/// Plans with less coverage than this are not varied, %.
+constexpr double kLeastUsefulPct = 70.0;
 
 std::vector<double> directions(const LineWorkshop& shop) {
   if (shop.options().heading) return {shop.options().heading->deg()};
@@ -32,7 +33,7 @@ std::vector<double> directions(const LineWorkshop& shop) {
   return list;
 }
 
-/// Of two finalists with the same rows, lengths differ by at least this share.
+/// The lengths of two finalists with the same rows differ by at least this share.
 constexpr double kApart = 0.01;
 
 /// Finalists are the best at these multiples of the price of an ideal length: all-round, short,
@@ -51,7 +52,7 @@ std::vector<Outcome> outcomes_of(const std::vector<JudgedCandidate>& judged) {
   return outcomes;
 }
 
-/// Of where the route leads and how its fans open, to a millimetre and a thousandth of a radian.
+/// A hash of the route's positions and fans, to a millimetre and a thousandth of a radian.
 std::size_t fingerprint(const Route& route) {
   std::size_t seed = route.waypoints.size();
   const auto add = [&](double value) { boost::hash_combine(seed, std::llround(1000.0 * value)); };
@@ -72,7 +73,7 @@ class Search {
 
   std::vector<JudgedCandidate> run() {
     first_candidates();
-    // What is asked for may lie far from what is worth most, so every other turn is the goal's.
+    // The goal may lie far from what is worth most, so every other variation is made for the goal.
     bool for_goal = false;
     while (left() > 0) {
       for_goal = !for_goal && any(goal());
@@ -86,8 +87,8 @@ class Search {
   }
 
  private:
-  /// Tries variations until one is better: from there it goes on, and comes back to the rest if
-  /// this is still the most promising then.
+  /// Tries variations of a candidate until one is better. The search goes on from that one. It
+  /// comes back to the other variations if this candidate is the most promising again.
   void vary(std::size_t base, const PlanGoal& goal) {
     for (const StraightCandidate& c : variations(pool_[base].candidate)) {
       if (left() <= 0) return;
@@ -112,8 +113,7 @@ class Search {
     varied_.push_back(0);
   }
 
-  /// Nothing for a route that is known: on level ground most of what a candidate is made of changes
-  /// nothing.
+  /// Empty for a route that was judged before. On level ground many candidates give the same route.
   [[nodiscard]] Outcome steered(const StraightCandidate& c) {
     const BuiltRoute built = build(c, shop_);
     if (built.route.waypoints.size() < 2) return {};
@@ -125,8 +125,8 @@ class Search {
                           describe(c));
   }
 
-  /// Directions by the metres of line that they ask for, the least first; numbers about what W
-  /// asks.
+  /// Tries directions in the order of the metres of line that they ask for, the least first. Each
+  /// is tried with about as many lines as W asks for.
   void first_candidates() {
     const StraightCandidate plain;
     struct Direction {
@@ -156,15 +156,16 @@ class Search {
         c.lines = std::max(1, static_cast<int>(std::lround(share * d.swaths)));
         judge(c);
         if (!budget_.steered) continue;
-        // The two differ most where the seafloor steps, and neither leads to the other.
+        // Where the seafloor steps, the two ways to share the ground differ most, and no variation
+        // leads from one to the other.
         c.by_distance = true;
         judge(c);
       }
     }
   }
 
-  /// Of those on the front that were not varied yet, the most worth or what the goal picks;
-  /// pool_.size(): none.
+  /// Of the candidates on the front that were not varied yet: the one with the most worth, or the
+  /// one that the goal picks. pool_.size(): there is none.
   [[nodiscard]] std::size_t most_promising(bool for_goal) const {
     std::vector<std::size_t> list = front();
     std::erase_if(list, [&](std::size_t i) { return varied_[i] != 0; });
@@ -176,7 +177,7 @@ class Search {
     const std::vector<Outcome> outcomes = outcomes_of(pool_);
     auto list = pareto_front(outcomes);
     if (list.size() > 1) {
-      std::erase_if(list, [&](std::size_t i) { return outcomes[i].cover_pct < kUseless; });
+      std::erase_if(list, [&](std::size_t i) { return outcomes[i].cover_pct < kLeastUsefulPct; });
     }
     return list;
   }
@@ -242,8 +243,9 @@ class Search {
     return list;
   }
 
-  /// Adds what mixing directions and numbers block by block makes of the finalists that are best at
-  /// each price of length, and between two of these what fills a gap in length.
+  /// Takes the finalists that are best at each price of length, lays their rows anew block by
+  /// block, and adds the results. Between two of these it adds one more where their lengths lie far
+  /// apart.
   void add_blocked(std::vector<JudgedCandidate>& list) const {
     const std::vector<JudgedCandidate> finalists = list;
     const std::vector<Outcome> outcomes = outcomes_of(finalists);

@@ -15,7 +15,7 @@ constexpr float kNone = std::numeric_limits<float>::infinity();
 /// A hole makes a ring of the water only if its shore has at least this share of the outer shore's
 /// length.
 constexpr double kLeastInner = 0.3;
-/// The outline runs at most this many cells off the cells of the area.
+/// A cell of the area lies within this many cells of any point of the outline.
 constexpr int kRimCells = 2;
 
 SurveyCurve closed(const Ring& ring) {
@@ -86,12 +86,12 @@ constexpr double kCosOfEnd = 0.7;
 constexpr double kChordOfWidth = 0.2;
 
 /// The stretch as a curve that runs on at both of its ends. Directions are those of chords over
-/// this many points, so that the steps of a raster's outline do not count.
+/// `chord` points, so that steps in the outline do not count.
 SurveyCurve run_on(const std::vector<Vec2>& shore, const Stretch& stretch, std::size_t chord) {
   const std::size_t size = shore.size();
   const auto at = [&](std::size_t i) -> const Vec2& { return shore[i % size]; };
   const auto straight = [&](std::size_t tip, std::size_t from, std::size_t step) {
-    // Steps are counted forwards round the shore: size - 1 is one back.
+    // A step backwards is size - 1 steps forwards round the shore.
     const Vec2 along = (at(tip) - at(tip + (size - step) * chord)).normalized();
     const Vec2 here = (at(from + step * chord) - at(from)).normalized();
     return along.dot(here) > kCosOfEnd;

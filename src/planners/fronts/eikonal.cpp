@@ -14,7 +14,7 @@ constexpr float kFar = std::numeric_limits<float>::infinity();
 class Marcher {
  public:
   Marcher(const WaterRaster& raster, const std::vector<float>& width)
-      : raster_(raster), width_(width), settled_(raster.size(), 0) {
+      : raster_(raster), width_(width), accepted_(raster.size(), 0) {
     front_.u.assign(raster.size(), kFar);
     front_.label.assign(raster.size(), kNoLabel);
   }
@@ -26,11 +26,11 @@ class Marcher {
     while (!heap_.empty()) {
       const auto [u, i] = heap_.top();
       heap_.pop();
-      if (settled_[i] != 0 || u > front_.u[i]) continue;
+      if (accepted_[i] != 0 || u > front_.u[i]) continue;
       if (static_cast<double>(u) > farthest) break;
-      settled_[i] = 1;
+      accepted_[i] = 1;
       for (const std::size_t n : neighbours(i)) {
-        if (open(n) && settled_[n] == 0) update(n);
+        if (open(n) && accepted_[n] == 0) update(n);
       }
     }
     return std::move(front_);
@@ -50,20 +50,22 @@ class Marcher {
   }
 
   [[nodiscard]] std::size_t lower(std::size_t a, std::size_t b) const {
-    return settled(b) < settled(a) ? b : a;
+    return accepted(b) < accepted(a) ? b : a;
   }
-  [[nodiscard]] float settled(std::size_t i) const { return settled_[i] != 0 ? front_.u[i] : kFar; }
+  [[nodiscard]] float accepted(std::size_t i) const {
+    return accepted_[i] != 0 ? front_.u[i] : kFar;
+  }
 
   void update(std::size_t i) {
     const auto n = neighbours(i);
     const std::size_t x = lower(n[1], n[2]);
     const std::size_t y = lower(n[0], n[3]);
-    const double a = settled(x);
-    const double b = settled(y);
+    const double a = accepted(x);
+    const double b = accepted(y);
     const double f = raster_.cell_m() / static_cast<double>(width_[i]);
     const double low = std::min(a, b);
     double u = low + f;
-    // Both directions carry the front: (u - a)^2 + (u - b)^2 = f^2.
+    // The front comes from both directions: (u - a)^2 + (u - b)^2 = f^2.
     if (std::abs(a - b) < f) {
       u = 0.5 * (a + b + std::sqrt(std::max(0.0, 2.0 * f * f - (a - b) * (a - b))));
     }
@@ -72,7 +74,7 @@ class Marcher {
 
   const WaterRaster& raster_;
   const std::vector<float>& width_;
-  std::vector<char> settled_;
+  std::vector<char> accepted_;
   Front front_;
   std::priority_queue<std::pair<float, std::size_t>, std::vector<std::pair<float, std::size_t>>,
                       std::greater<>>

@@ -20,7 +20,7 @@ std::vector<FrontCell> front_of(const WaterRaster& raster, const std::vector<flo
     const bool rim = !raster.in_area(i - 1) || !raster.in_area(i + 1) ||
                      !raster.in_area(i - raster.columns()) || !raster.in_area(i + raster.columns());
     if (!rim || distance_to_segment(wall.from, wall.to, raster.centre(i)) > reach) continue;
-    // The outline runs half a cell before the centres.
+    // The outline lies half a cell before the centres.
     cells.push_back({i, 0.5 * raster.cell_m() / static_cast<double>(width[i]), 0});
   }
   return cells;
@@ -44,7 +44,7 @@ std::vector<FieldWall> long_walls(const Area& area, double tolerance_m, std::siz
 
 std::vector<FrontCell> front_along(const WaterRaster& raster, const std::vector<float>& width,
                                    const std::vector<SurveyCurve>& curves) {
-  // Metres from each cell near a curve; marched cells farther off get theirs from these.
+  // Cells this near to a curve get their true distance. The front takes the others from these.
   constexpr double kReachOfCell = 1.5;
   constexpr double kStepOfCell = 0.1;
   std::vector<FrontCell> cells;

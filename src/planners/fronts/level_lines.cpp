@@ -8,8 +8,8 @@
 namespace swathplan {
 namespace {
 
-/// Names a point of a line by the edge that it lies on: from a cell to its eastern neighbour (even)
-/// or its northern one (odd).
+/// A point of a line lies on an edge between two cells, and the edge's number names it. Even: from
+/// a cell to its eastern neighbour. Odd: to its northern one.
 using EdgeKey = std::uint64_t;
 
 class Chains {

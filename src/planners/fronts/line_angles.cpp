@@ -18,24 +18,24 @@ constexpr double kClaimStepOfCell = 0.7;
 /// A point is hidden if its tangent is less than this share of the largest tangent before it. The
 /// share is below 1, since depths on a raster are rough.
 constexpr double kHidden = 0.97;
-/// The angle of a step follows this many steps before and after it, since boundaries on a raster
-/// are jagged.
-constexpr std::ptrdiff_t kJoin = 2;
+/// A step opens as wide as the widest of so many steps before and after it, since boundaries on a
+/// raster are jagged.
+constexpr std::ptrdiff_t kStepsAround = 2;
 constexpr double kJump = 1.25;
 /// Less water than this below the sonar counts as this, metres.
 constexpr double kLeastBelow = 0.05;
 /// A side may end this far past the edge, metres, so that cells at the edge keep their beam.
 constexpr double kPastEdge = 0.02;
 
-/// The line that sees each cell from the fewest of its swaths away. The cost and the line share one
-/// word, so the smallest pair wins, and the order of the threads does not matter.
+/// Tells for each cell which line sees it from the fewest of its swaths away. Distance and line
+/// share one word. The smallest word wins, so the order of the threads does not matter.
 class Owners {
  public:
   explicit Owners(std::size_t cells) : words_(cells) {
     for (auto& word : words_) word.store(kNobody, std::memory_order_relaxed);
   }
   void offer(std::size_t cell, float swaths, std::uint32_t line) {
-    // The bits of floats that are not negative sort like the floats.
+    // The bits of floats of 0 or more sort like the floats.
     const std::uint64_t word =
         (static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(swaths)) << 32U) | line;
     std::uint64_t now = words_[cell].load(std::memory_order_relaxed);
@@ -148,14 +148,14 @@ class SideReach {
   const LineAnglesOptions& how_;
 };
 
-/// The widest of the steps around. Steps beyond a jump are left out: the jump is a wall.
-std::vector<double> joined(const std::vector<double>& tangents) {
+/// The widest of the steps around each step. Steps beyond a jump are left out: the jump is a wall.
+std::vector<double> widest_around(const std::vector<double>& tangents) {
   std::vector<double> result(tangents);
   const auto n = static_cast<std::ptrdiff_t>(tangents.size());
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const double own = tangents[static_cast<std::size_t>(i)];
-    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - kJoin); k <= std::min(n - 1, i + kJoin);
-         ++k) {
+    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - kStepsAround);
+         k <= std::min(n - 1, i + kStepsAround); ++k) {
       const double other = tangents[static_cast<std::size_t>(k)];
       if (other > kJump * own) continue;
       double& widest = result[static_cast<std::size_t>(i)];
@@ -184,7 +184,7 @@ std::vector<std::vector<Waypoint>> opened_lines(const std::vector<SurveyCurve>& 
   const SideReach sides(raster, width, survey_area, options, how);
   Owners owners(raster.size());
   for_each_index(std::size_t{0}, lines.size(), [&](std::size_t k) {
-    // Steps closer than those of the fans, so that no cell between two fans is missed.
+    // These steps are closer than those of the fans, so that no cell between two fans is missed.
     const auto dense = resampled(lines[k], kClaimStepOfCell * raster.cell_m());
     for (const Step& s : steps_of(dense.points)) {
       sides.claim(s, static_cast<std::uint32_t>(k), owners);
@@ -201,8 +201,8 @@ std::vector<std::vector<Waypoint>> opened_lines(const std::vector<SurveyCurve>& 
       right[i] = sides.tangent(steps[i], false, static_cast<std::uint32_t>(k), owners);
       left[i] = sides.tangent(steps[i], true, static_cast<std::uint32_t>(k), owners);
     }
-    right = joined(right);
-    left = joined(left);
+    right = widest_around(right);
+    left = widest_around(left);
     Waypoint point;
     point.line = first_number + static_cast<int>(k);
     point.speed_mps = options.vehicle.speed_mps;

@@ -44,7 +44,7 @@ std::vector<Row> rows_of(const std::vector<SurveyCurve>& lines, const Vec2& u, c
 
 bool overlap(const Piece& a, const Piece& b) { return a.from < b.to && b.from < a.to; }
 
-/// The only piece of a row that overlaps p; nullptr where there is none or several.
+/// The only piece of a row that overlaps p; nullptr if none does, or several do.
 const Piece* only_neighbour(const Piece& p, const Row& row) {
   const Piece* found = nullptr;
   for (const Piece& q : row.pieces) {

@@ -16,11 +16,12 @@ constexpr double kLeastWaterBelow = 0.05;
 /// A beam that has not met the floor after this many half swaths never will, since the slope is
 /// steeper than the beam.
 constexpr double kFarthest = 8.0;
-/// Cell centres this near to the rim of a swath count as swept, metres: rounding.
+/// Cell centres this near to the rim of a swath count as swept, metres. It allows for rounding.
 constexpr double kOnRim = 1e-6;
 
-/// Gives cells without a value that of the cell they are nearest to.
-void spread(const WaterRaster& raster, std::vector<float>& values, std::vector<char>& known) {
+/// Gives cells without a value that of the nearest cell with one.
+void fill_from_nearest(const WaterRaster& raster, std::vector<float>& values,
+                       std::vector<char>& known) {
   std::queue<std::size_t> next;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (known[i] != 0) next.push(i);
@@ -111,8 +112,8 @@ SweptGround::SweptGround(const WaterRaster& raster, const std::vector<float>& wi
     tangent_[i] = static_cast<float>(0.5 * static_cast<double>(width[i]) / below);
   }
   std::vector<char> again = known;
-  spread(raster, below_, known);
-  spread(raster, tangent_, again);
+  fill_from_nearest(raster, below_, known);
+  fill_from_nearest(raster, tangent_, again);
 }
 
 double SweptGround::between(const std::vector<float>& values, const Vec2& p) const {
@@ -190,7 +191,7 @@ SurveyCurve carried_on(SurveyCurve curve, double share, const SweptGround& groun
                        const AreaQuery& lines_in) {
   auto& p = curve.points;
   if (!(share > 0.0) || p.size() < 2 || is_closed(curve)) return curve;
-  // The course of the last few points: that of the last two alone is rough.
+  // The course comes from the last few points. From two alone it would be rough.
   const std::size_t back = std::min<std::size_t>(3, p.size() - 1);
   const auto end = [&](const Vec2& at, const Vec2& behind) {
     const Vec2 on = at + share * ground.width_m(at) * (at - behind).normalized();
@@ -297,7 +298,7 @@ std::size_t poor_steps(const SweptLine& line, bool from_back, std::size_t begin,
     metres += (line.points[step + 1] - line.points[step]).norm();
     ++looked;
     if (lost_m2 <= gain * w * metres) poor = looked;
-    // More than a whole swath farther on, nothing can make up for this loss.
+    // Even a whole swath more of steps that lose nothing could not make up for this loss.
     if (lost_m2 > gain * w * (metres + w)) break;
   }
   while (looked > poor) counts.put(line, step_at(--looked));

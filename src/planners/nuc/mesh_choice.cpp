@@ -12,7 +12,7 @@
 namespace swathplan {
 namespace {
 
-/// Shares of W.
+/// Face sizes that are tried, as shares of W.
 constexpr std::array kTriangleSizes = {1.00, 0.95, 0.87, 0.80};
 constexpr std::array kQuadSizes = {kQuadSize, 0.60, 0.50};
 
@@ -78,8 +78,8 @@ Plan best_mesh_plan(const Ground& ground, const PlanOptions& options,
       std::max_element(tried.begin(), tried.end(),
                        [&](const Candidate& a, const Candidate& b) { return worth(a) < worth(b); });
   best->plan.notes.push_back(fmt::format(
-      "few faces fit the area: of {} meshes the simulator chose faces of {:.2f} W, the lattice "
-      "turned by {:.0f} degrees",
+      "few faces fit into the area, so their place matters: of {} meshes the simulator chose the "
+      "one with faces of {:.2f} W and its lattice turned by {:.0f} degrees",
       tried.size(), best->face_size, best->turn_deg));
   return std::move(best->plan);
 }

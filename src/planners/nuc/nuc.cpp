@@ -17,8 +17,8 @@ namespace {
 /// A path crosses an edge inside the half that both quads touch. It keeps this share of the edge
 /// off the corner and off the midpoint.
 constexpr double kCrossingMargin = 0.04;
-/// Where it crosses instead, if the straight way would miss that half: the share of the edge from
-/// the corner that both quads touch.
+/// If the straight way would miss that half, the path crosses the edge here: at this share of the
+/// edge from the corner that both quads touch.
 constexpr double kCrossingAt = 0.25;
 
 /// An arc takes this share of the way that it could take, as measured on saddle, shaft and harbour.
@@ -138,7 +138,7 @@ SkeletonCycle walk(const PlanarMesh& mesh, const SubFacets& sub, std::uint32_t s
       point.ahead_m = static_cast<float>(over.share) * length;
       behind = length - point.ahead_m;
       if (over.detour) {
-        // Led over a point of the edge: no arc may cut that corner.
+        // The way leads over a point of the edge, and no arc may cut that corner.
         point.ahead_m = static_cast<float>((*over.detour - point.position).norm());
         behind = static_cast<float>((sub.centroid[j] - *over.detour).norm());
         cycle.push_back(point);
@@ -170,8 +170,8 @@ double splice_cost(const SharedEdge& e, const SubFacets& sub) {
   return (a0 - b1).norm() + (a1 - b0).norm() - (a0 - a1).norm() - (b0 - b1).norm();
 }
 
-/// Edges by cost in kLevels steps, cheapest first, in their own order within a step. A counting
-/// sort keeps the cost linear.
+/// Edges in the order of their cost, cheapest first. The cost is rounded to kLevels steps, so that
+/// a counting sort takes O(n). Edges of one step keep their order.
 std::vector<std::uint32_t> by_cost(const std::vector<float>& cost, const std::vector<char>& open) {
   constexpr std::size_t kLevels = 4096;
   float low = std::numeric_limits<float>::infinity();
@@ -218,7 +218,7 @@ std::vector<SkeletonCycle> nuc_skeleton(const PlanarMesh& mesh,
 }
 
 std::vector<SkeletonPoint> rounded(const std::vector<SkeletonPoint>& p, double radius_m) {
-  constexpr double kStraight = 1e-6;  // radians: no arc is worth its points
+  constexpr double kStraight = 1e-6;  // radians; a smaller corner needs no arc
   std::vector<SkeletonPoint> result;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (i == 0 || i + 1 == p.size() || !p[i].sub_facet) {

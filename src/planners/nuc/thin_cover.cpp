@@ -10,7 +10,7 @@ namespace {
 
 /// Rays that end farther beyond the area than this do not matter, metres.
 constexpr double kRim = 4.0 * ThinCover::kSpreadM;
-/// A ray finds the seafloor in this many steps. On slopes steeper than the ray they end off the
+/// A ray finds the seafloor in this many steps. On a slope steeper than the ray it ends off the
 /// seafloor.
 constexpr int kDescents = 3;
 
@@ -102,7 +102,7 @@ ThinCover::Pull ThinCover::pull(const std::vector<Vec2>& points,
   std::vector<double> soundings(cells, 0.0);
   std::vector<std::vector<Ray>> all(n);
   std::vector<double> each(n, 0.0);  // soundings a ray stands for
-  // Bilinear: the four cells around a place and their shares.
+  // The four cells around a place and their bilinear shares.
   const auto around = [&](const Vec2& at, const auto& visit) {
     const Vec2 g = (at - corner_) / kCellM;
     const int x = static_cast<int>(std::floor(g.x()));

@@ -59,7 +59,8 @@ std::size_t infeasible_points(const Plan& plan) {
       std::count_if(points.begin(), points.end(), [](const Waypoint& w) { return !w.feasible; }));
 }
 
-/// Placements with joins that cannot be steered give way to the centred one.
+/// The placement with the most worth. A placement with more infeasible waypoints than the centred
+/// one is not tried.
 Plan best_placed(const Rows& rows, const Ground& ground, const PlanOptions& options) {
   std::vector<Plan> plans;
   std::vector<Outcome> outcomes;
@@ -76,8 +77,8 @@ Plan best_placed(const Rows& rows, const Ground& ground, const PlanOptions& opti
   }
   const std::size_t best = pick(outcomes, {}).index;
   plans[best].notes.push_back(
-      fmt::format("few rows fit the area: of {} the simulator chose rows shifted by {:g} m from "
-                  "the centred ones",
+      fmt::format("few rows fit into the area, so their place matters: of {} the simulator chose "
+                  "the one {:g} m from the centred rows",
                   counted(plans.size(), "placement"), shifts[best]));
   return std::move(plans[best]);
 }

@@ -17,7 +17,7 @@ constexpr float kFar = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-/// Distances from one point at a time, kept.
+/// Ways on the raster. All distances from a cell are computed at once and kept.
 struct JoinCost::Impl {
   AreaQuery water;
   double radius;
@@ -70,13 +70,14 @@ std::int64_t JoinCost::Impl::cell_of(const Vec2& p) const {
   return found;
 }
 
-/// Dijkstra over the eight neighbours. More moves would be more exact, but eight do for an order.
+/// Dijkstra over the eight neighbours. Their ways are a few per cent too long, which is exact
+/// enough to put lines in an order.
 const std::vector<float>& JoinCost::Impl::distances(std::int64_t cell_from) const {
   auto [it, fresh] = from.try_emplace(cell_from);
   std::vector<float>& d = it->second;
   if (!fresh) return d;
   d.assign(free.size(), kFar);
-  // Buckets by distance: steps of 1 and sqrt(2) cells, so a queue of sorted buckets suffices.
+  // Steps are 1 or sqrt(2) cells long, so a queue of buckets by distance is enough.
   std::vector<std::vector<std::int64_t>> buckets(1, {cell_from});
   d[static_cast<std::size_t>(cell_from)] = 0.0F;
   const float straight = static_cast<float>(cell);

@@ -6,13 +6,14 @@
 namespace swathplan {
 namespace {
 
-/// A gain must be more than rounding, metres.
+/// A change must save more than rounding, metres.
 constexpr double kGain = 1e-6;
 constexpr int kMostRounds = 60;
 constexpr std::size_t kLongestRun = 3;
 
-/// Node 2k: line k as given; 2k + 1: backwards. cost(i, j): from the end of i to the beginning of
-/// j. Sailing all backwards costs the same: cost(i, j) = cost(j ^ 1, i ^ 1).
+/// Node 2k is line k as given, node 2k + 1 the same line backwards. cost(i, j) leads from the end
+/// of i to the beginning of j. To sail all of it backwards costs the same: cost(i, j) = cost(j ^ 1,
+/// i ^ 1).
 class Tour {
  public:
   Tour(const std::vector<LineEnds>& lines, const LineCost& cost, const std::optional<Vec2>& start)

@@ -22,7 +22,8 @@ double nearest_end(const std::vector<SurveyLine>& lines, const Vec2& p) {
 using OrderLines = std::function<std::vector<SurveyLine>(const std::vector<SurveyLine>&,
                                                          const std::optional<Vec2>& at)>;
 
-/// The regions' lines, each region's in the order given, the nearest region next.
+/// The route through all regions. The nearest region is always the next. Lines of a region keep
+/// their order.
 BuiltRoute region_by_region(const Plan& plan, const std::vector<std::vector<SurveyLine>>& lines,
                             const Ground& ground, const PlanOptions& options,
                             const Connector& connector, const OrderLines& order) {

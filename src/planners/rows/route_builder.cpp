@@ -150,7 +150,7 @@ void RouteBuilder::join_to(std::vector<Waypoint>& line) {
   cut_begin(line, way.off_after_m);
   const bool feasible = way.kind != JoinKind::infeasible;
   const double apart = (line.front().position - before.back().position).norm();
-  // The last waypoint of a line begins the join: what a row says holds from its waypoint on.
+  // What a waypoint says holds from there on. So the last waypoint of a line begins the join.
   Waypoint join = before.back();
   join.kind = feasible && apart <= turn_reach_ ? LegKind::turn : LegKind::transit;
   join.speed_mps =
@@ -202,14 +202,14 @@ std::vector<std::string> RouteBuilder::notes() const {
   if (smoother_ && smoother_->tally().joins > 0) all.push_back(note(smoother_->tally()));
   if (loops_ > 0) {
     all.push_back(fmt::format(
-        "{} of lines tighter than {:g} m {} taken by a loop; mending tight turns changed the "
-        "length by {:.0f} m",
-        counted(loops_, "turn"), vehicle_.turn_radius_m, loops_ == 1 ? "is" : "are", loop_m_));
+        "{} of lines {} tighter than {:g} m, so the boat sails a loop there; all replaced turns "
+        "together change the length by {:+.0f} m",
+        counted(loops_, "turn"), loops_ == 1 ? "is" : "are", vehicle_.turn_radius_m, loop_m_));
   }
   if (left_tight_ > 0) {
     all.push_back(fmt::format(
-        "{} of lines left tighter than {:g} m: no forward way around stays in safe water",
-        counted(left_tight_, "turn"), vehicle_.turn_radius_m));
+        "{} of lines {} tighter than {:g} m: no wider turn and no loop stays in safe water",
+        counted(left_tight_, "turn"), left_tight_ == 1 ? "stays" : "stay", vehicle_.turn_radius_m));
   }
   if (short_runs_ > 0) {
     all.push_back(

@@ -11,8 +11,8 @@ namespace {
 
 /// Routes that differ by less are equally good, metres.
 constexpr double kSame = 1e-6;
-/// Ends of lines nearer than this are the same end. A join that was not found cuts nothing off a
-/// line.
+/// Ends of lines nearer than this are the same end, metres. It finds the ends of an infeasible join
+/// again, since such a join cuts nothing off its lines.
 constexpr double kSamePlace = 1e-3;
 /// Number of orders of least way that are built.
 constexpr int kMostOrders = 4;
@@ -76,7 +76,7 @@ std::vector<SurveyLine> ordered(const std::vector<SurveyLine>& lines, const RowO
     const Vec2 course = (line.to - line.from).normalized();
     ends.push_back({line.from, line.to, course, course});
   }
-  // JoinCost estimates bulbs between near rows too short.
+  // For bulbs between near rows JoinCost gives too few metres.
   const auto metres = [&](const Vec2& a, const Vec2& ca, const Vec2& b, const Vec2& cb) {
     const double way = cost.way(a, b);
     const double bulb = dubins_length_m({a, ca}, {b, cb}, turn_radius_m) - (b - a).norm();

@@ -8,8 +8,8 @@
 namespace swathplan {
 namespace {
 
-/// Pieces shorter than this share of the spacing are left out: they lie at corners.
-constexpr double kCrumb = 0.2;
+/// Pieces shorter than this share of the spacing are left out. They lie at corners.
+constexpr double kShortestPieceShare = 0.2;
 /// Azimuths are tried in these steps, besides the outline's own sides.
 constexpr double kStepDeg = 5.0;
 
@@ -54,7 +54,7 @@ std::vector<SurveyLine> parallel_lines(const Area& area, const ParallelLinesOpti
     for (const auto& [t0, t1] : pieces) longest = std::max(longest, (t1 - t0) * length);
     for (const auto& [t0, t1] : pieces) {
       const double piece = (t1 - t0) * length;
-      if (piece < kCrumb * options.spacing_m && piece < longest) continue;
+      if (piece < kShortestPieceShare * options.spacing_m && piece < longest) continue;
       const double inset = std::min(options.inset_m, 0.45 * piece);
       lines.push_back({a + u * (t0 * length + inset), a + u * (t1 * length - inset), row});
     }
@@ -80,7 +80,8 @@ Angle best_azimuth(const Area& area, double spacing_m) {
     const Angle azimuth = Angle::degrees(deg);
     const Range range = range_along(area, across(azimuth));
     const double width = range.high - range.low;
-    // The narrowest width needs the fewest lines. A direction must win by more than rounding.
+    // Where the area is narrowest, it needs the fewest lines. A direction must win by more than
+    // rounding.
     if (width < best_width * (1.0 - 1e-9)) {
       best_width = width;
       best = azimuth;

@@ -226,7 +226,7 @@ Connection JoinSmoother::join(const std::vector<Vec2>& before, const std::vector
   if (plain.kind == JoinKind::infeasible) return plain;
   if (bends_of(LinePoses(plain.points), 0.0).empty()) return plain;
   Connection best;
-  SmoothedCurve found;  // none smoothed: whatever comes first takes over
+  SmoothedCurve found;  // empty, so the first candidate replaces it
   for (const Connection& way : candidates(plain, before, after)) {
     const auto [from, to] = ends_of(way, before, after);
     SmoothedCurve curve = smoothed(from, to, way.points);

@@ -134,7 +134,7 @@ bool PathNlp::eval_jac_g(Index, const Number* x, bool, Index, Index, Index* row,
 
 bool PathNlp::eval_h(Index, const Number*, bool, Number factor, Index, const Number* lambda, bool,
                      Index, Index* row, Index* column, Number* values) {
-  // The lower triangle, as one entry per pair of parts; Ipopt adds what falls together.
+  // The lower triangle, with one entry for each pair of parts. Ipopt adds entries of one place up.
   const auto entry = [&](int i, int j, double value) {
     if (values != nullptr) {
       *values++ = value;

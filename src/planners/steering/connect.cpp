@@ -23,14 +23,15 @@ constexpr double kFineStep = 1.0 / 16.0;
 constexpr double kFineCut = 1.25;
 constexpr double kCutStep = 0.25;
 constexpr double kMostCut = 4.0;
-/// The last search may take this many times the usual number of poses ...
-constexpr int kPatience = 4;
-/// ... and the search for a wider join this share of the usual number.
-constexpr int kHaste = 4;
+/// The last search may take this many times the usual number of poses.
+constexpr int kMorePoses = 4;
+/// The search for a wider join takes the usual number of poses divided by this.
+constexpr int kFewerPoses = 4;
 /// Number of places to leave a line, and to begin the next, that searches try.
 constexpr std::size_t kTries = 3;
-/// An estimate that is this many times too short misleads a search: it fills the water before a
-/// wall with poses until none are left, and the way around the wall is found in stages only.
+/// An estimate that is this many times too short misleads a search. The search fills the water
+/// before a wall with poses until it may take no more. Only a search in stages finds the way
+/// around.
 constexpr double kMisled = 5.0;
 
 Pose turned_back(const Pose& pose) { return {pose.position, -pose.course}; }
@@ -75,8 +76,8 @@ std::string at_text(const Vec2& local, const Frame& frame) {
 }  // namespace
 
 struct Connector::Impl {
-  /// How a search over poses estimates the metres to go, and which searches are made: those that
-  /// the estimate leads, or those that it misleads.
+  /// How a search over poses estimates the metres to go, and whether to search only where this
+  /// estimate leads, or only where it misleads.
   struct Estimate {
     bool in_sight = false;
     bool misled = false;
@@ -95,7 +96,7 @@ struct Connector::Impl {
   }
 
   [[nodiscard]] bool in_water(const std::vector<Vec2>& points) const {
-    // A coarse test first: most paths that leave the water leave it by far.
+    // The first test is coarse: most paths that leave the water leave it by far.
     constexpr std::size_t kStride = 16;
     for (std::size_t i = 0; i < points.size(); i += kStride) {
       if (!water.contains(points[i])) return false;
@@ -168,7 +169,7 @@ std::optional<Connection> Connector::Impl::by_curve(const std::vector<Cut>& from
   return std::nullopt;
 }
 
-/// The poses from which a quarter turn, or as much straight on, stays in the water.
+/// The poses from which a quarter turn, or the same length straight on, stays in the water.
 std::vector<Cut> Connector::Impl::ones_with_room(const std::vector<Cut>& all, bool leaving,
                                                  const PoseSearchOptions& how) const {
   std::vector<Cut> result;
@@ -202,7 +203,7 @@ std::optional<Connection> Connector::Impl::by_way(const std::vector<Cut>& from,
                                                   PoseSearchOptions how) const {
   const auto leave = ones_with_room(from, true, how);
   const auto arrive = ones_with_room(to, false, how);
-  if (estimate.in_sight) how.most_poses *= kPatience;
+  if (estimate.in_sight) how.most_poses *= kMorePoses;
   for (std::size_t k = 0; k < (estimate.in_sight ? 1 : kTries); ++k) {
     if (leave.empty() || arrive.empty()) break;
     const Cut& a = leave[std::min(k * leave.size() / kTries, leave.size() - 1)];
@@ -307,7 +308,7 @@ std::optional<Connection> Connector::wider_join(const std::vector<Vec2>& before,
   PoseSearchOptions how = impl_->search;
   lines.radius_m = radius_m;
   how.radius_m = std::max(radius_m, how.radius_m);
-  how.most_poses /= kHaste;
+  how.most_poses /= kFewerPoses;
   const auto from = impl_->sides(before, false, lines);
   const auto to = impl_->sides(after, true, lines);
   if (auto found = impl_->by_curve(from, to, how)) return found;
@@ -324,11 +325,11 @@ bool Connector::has_room(const std::vector<Vec2>& line) const {
 std::vector<Vec2> Connector::curve(const Pose& from, const Pose& to) const {
   const auto path = dubins_in_water(from, to, impl_->search);
   if (!path) return {};
-  // Chords nearest to the angle of those of a line's own curves: where the two meet, chords of
-  // another angle bend tighter than both curves.
+  // Chords turn by about as much as those of a line's own curves. Where two curves meet, chords of
+  // another angle would bend tighter than both.
   const double step = Angle::degrees(kCurveStepDeg).rad() * impl_->search.radius_m;
   const double parts = std::max(1.0, std::round(path->length_m() / step));
-  constexpr double kDown = 1.0 + 1e-9;  // so that rounding makes no further part
+  constexpr double kDown = 1.0 + 1e-9;  // else rounding could make one part more
   std::vector<Vec2> even = path->points(kDown * path->length_m() / parts);
   return in_water(even) ? even : path->points(curve_step_m(impl_->search.radius_m));
 }

@@ -9,7 +9,7 @@ namespace swathplan {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-/// A turn this near to a full circle is no turn: rounding took it below 0.
+/// A turn this near to a full circle is no turn. It is a turn of 0 that rounding took below 0.
 constexpr double kFullTurn = 1e-9;
 
 /// Turning circles that overlap by less than this (radii squared) only touch. Then one turn passes
@@ -77,7 +77,7 @@ class Words {
   [[nodiscard]] std::optional<Word> same_side(int side) const {
     const double square = 2.0 + d * d - 2.0 * cab + 2.0 * d * side * (sa - sb);
     const double p = std::sqrt(std::max(0.0, square));
-    // Both turning circles are one: the straight has no direction.
+    // Both turning circles are the same one, so the straight has no direction.
     if (p < kOneCircle) return Word{{side, 0, side}, turn_mod(side * (b - a)), 0.0, 0.0};
     const double w = std::atan2(side * (cb - ca), d + side * (sa - sb));
     return Word{{side, 0, side}, turn_mod(side * (w - a)), p, turn_mod(side * (b - w))};

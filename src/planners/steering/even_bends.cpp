@@ -25,7 +25,7 @@ constexpr std::size_t kAround = 24;
 /// Moves around one tight bend before it is given up.
 constexpr int kMostMoves = 600;
 
-/// Waypoints at one place.
+/// Waypoints that stand at one place.
 struct Place {
   Vec2 position;
   std::size_t first, last;

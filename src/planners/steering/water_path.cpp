@@ -133,8 +133,8 @@ std::vector<std::uint32_t> WaterPath::Impl::search(std::uint32_t from, std::uint
 std::vector<Vec2> WaterPath::Impl::pulled_taut(const std::vector<Vec2>& way) const {
   std::vector<Vec2> taut{way.front()};
   for (std::size_t i = 0; i + 1 < way.size();) {
-    // Finds the farthest point in sight by doubling and halving: a point behind a hidden one is
-    // seldom in sight.
+    // Doubling and halving find the farthest point in sight, since a point behind a hidden one is
+    // seldom in sight itself.
     std::size_t reach = i + 1;
     std::size_t step = 1;
     const auto sees = [&](std::size_t j) {
