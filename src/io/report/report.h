@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "coverage/judging/judged_survey.h"
 #include "coverage/score.h"
 #include "io/results/plan_record.h"
 #include "io/results/provenance.h"
@@ -17,6 +18,7 @@ struct ReportPlan {
   const Score* score = nullptr;
   const CoverageGrid* grid = nullptr;
   double planning_seconds = 0.0;
+  const JudgedSurvey* judged = nullptr;  ///< by a criterion; null: it was not
 };
 
 /// Where the plans lie; local metres. `seafloor` gives the frame, `depths` the map of depths.
@@ -28,8 +30,9 @@ struct ReportSite {
   Provenance provenance;
 };
 
-/// One self-contained page that opens offline: what each plan covers and misses side by side, the
-/// map with path, regions and gates (of the last plan that has gates, else regions), what cannot be
+/// One self-contained page that opens offline: whether each plan is predicted to pass its
+/// criterion, where it was judged by one; what each plan covers and misses side by side, the map
+/// with path, regions and gates (of the last plan that has gates, else regions), what cannot be
 /// sailed as drawn and why, all figures, the largest gaps, settings and provenance. Pictures are
 /// scaled down and paths simplified by less than a pixel so that the page stays small.
 [[nodiscard]] std::string report_html(const ReportSite& site, const std::vector<ReportPlan>& plans);

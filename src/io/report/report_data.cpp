@@ -10,6 +10,7 @@
 #include "io/report/verdict_internal.h"
 #include "io/results/provenance_json.h"
 #include "io/results/score_figures.h"
+#include "io/results/verdict_json.h"
 #include "planners/pareto.h"
 
 namespace swathplan::internal {
@@ -261,6 +262,10 @@ Json legend_json() {
           {"empty_steps", kEmptySteps}};
 }
 
+Json criterion_json(const ReportPlan& plan, const Frame& frame) {
+  return plan.judged != nullptr ? verdict_json(*plan.judged, frame) : Json();
+}
+
 Json plan_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen, double tolerance_m,
                std::size_t budget) {
   const Frame& frame = site.seafloor->frame;
@@ -271,6 +276,7 @@ Json plan_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen, d
           {"warnings", warnings(*plan.score)},
           {"notes", plan.record->notes},
           {"planning_s", plan.planning_seconds},
+          {"criterion", criterion_json(plan, frame)},
           {"figures", score_figures(*plan.score)},
           {"path", path_json(*plan.route, pen, tolerance_m)},
           {"holidays", holidays_json(plan.score->holidays, pen, frame)},
