@@ -88,6 +88,10 @@ Scorer::Scorer(const Site& site, const Survey& survey, bool quiet)
   // What cannot be scored is refused before any planner works for it.
   static_cast<void>(grid_size(site.survey_area, survey.scoring.resolution_m));
   check_scale(site, survey);
+  if (survey.judging) {
+    judge_.emplace(ground_, *survey.judging->criterion, survey.judging->budget,
+                   survey.judging->how);
+  }
 }
 
 ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
@@ -95,6 +99,14 @@ ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
   ScoreOptions options = survey_->scoring;
   options.progress = [&](double share, std::uint64_t rays) { bar.show(share, rays); };
   return swathplan::score(route, ground_, survey_->sonar, survey_->vehicle, options);
+}
+
+std::optional<JudgedSurvey> Scorer::judge(const std::string& label, const Route& route) const {
+  if (!judge_) return std::nullopt;
+  ProgressBar bar(label, quiet_);
+  ScoreOptions options = survey_->scoring;
+  options.progress = [&](double share, std::uint64_t rays) { bar.show(share, rays); };
+  return judge_->judge(route, survey_->sonar, survey_->vehicle, options);
 }
 
 void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
@@ -137,6 +149,7 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
   PlannedSurvey planned =
       recorded(planner.name, planner.label, std::move(plan), std::move(scored), site, survey);
   planned.planning_seconds = planning;
+  planned.judged = scorer.judge("judge", planned.plan.route);
   return planned;
 }
 
