@@ -144,6 +144,16 @@ TEST(CriteriaCli, RefusesASigmaThatNobodyGave) {
             0);
 }
 
+TEST(CriteriaCli, RefusesAPlanWhereNoSoundingCanBeAccepted) {
+  const JudgedFolder folder;
+  expect_refused(folder.run("plan " + kFloor + kHow + kSensors +
+                            "--planner back-and-forth --criteria s44-1a "
+                            "--water-level-uncertainty 0.5 -o plan"),
+                 2,
+                 "not even the beam straight down is known well enough in 8.0 m of water: TVU 0.99 "
+                 "m (limit 0.51 m)");
+}
+
 TEST(CriteriaCli, RefusesCellsFinerThanTheData) {
   const JudgedFolder folder;
   expect_refused(folder.score("dense.csv", kSensors + "--criteria s44-special"), 2,

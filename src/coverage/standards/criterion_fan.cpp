@@ -14,6 +14,24 @@ namespace {
 constexpr double kFanStepDeg = 0.25;
 constexpr int kFanHalvings = 6;
 
+// A curve of so many steps, each the same share deeper.
+constexpr int kCurvePoints = 48;
+// The sonar never hangs nearer to the ground than this, metres.
+constexpr double kShoalestBelowM = 0.1;
+
+// The half-angle that the sonar's own curve still sees at a depth.
+Angle sees_to(const Sonar& sonar, double depth) {
+  const auto& curve = sonar.coverage_curve;
+  if (curve.empty()) return Angle::degrees(90);
+  if (depth <= curve.front().depth_m) return curve.front().half_angle;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    if (depth > curve[i].depth_m) continue;
+    const double share = (depth - curve[i - 1].depth_m) / (curve[i].depth_m - curve[i - 1].depth_m);
+    return curve[i - 1].half_angle + (curve[i].half_angle - curve[i - 1].half_angle) * share;
+  }
+  return curve.back().half_angle;
+}
+
 class AcceptedBeams {
  public:
   AcceptedBeams(const Criterion& criterion, const UncertaintyModel& model, const Sonar& sonar,
@@ -70,6 +88,26 @@ std::optional<Angle> accepted_half_angle(const Criterion& criterion, const Uncer
     (beams.accepts(middle) ? good : bad) = middle;
   }
   return Angle::degrees(good);
+}
+
+Sonar narrowed_to(const Criterion& criterion, const UncertaintyModel& model, const Sonar& sonar,
+                  const SonarDepths& depths, double draft_m, double speed_mps) {
+  const double shoalest = std::max(depths.shoalest_m, kShoalestBelowM);
+  const double deepest = std::max(depths.deepest_m, shoalest);
+  Sonar narrowed = sonar;
+  narrowed.coverage_curve.clear();
+  double narrowest = sonar.max_opening.deg() / 2.0;
+  for (int k = 0; k <= kCurvePoints; ++k) {
+    const double depth = shoalest * std::pow(deepest / shoalest, k / double{kCurvePoints});
+    const Angle own = std::min(sonar.max_opening / 2.0, sees_to(sonar, depth));
+    const auto accepted = own.rad() > 0.0 ? accepted_half_angle(criterion, model, sonar, depth,
+                                                                draft_m, speed_mps, own)
+                                          : std::nullopt;
+    narrowest = std::min(narrowest, accepted ? accepted->deg() : 0.0);
+    narrowed.coverage_curve.push_back({depth, Angle::degrees(narrowest)});
+    if (!(deepest > shoalest)) break;
+  }
+  return narrowed;
 }
 
 std::optional<RateQuestion> asked_by(const Criterion& criterion, const UncertaintyModel& model,

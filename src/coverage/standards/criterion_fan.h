@@ -26,4 +26,18 @@ namespace swathplan {
                                                    const RateQuestion& question, double depth_m,
                                                    double draft_m);
 
+/// Depths between which a sonar is used, metres below it.
+struct SonarDepths {
+  double shoalest_m = 0.0, deepest_m = 0.0;
+};
+
+/// The sonar with a coverage curve that ends where soundings stop being accepted, and where its own
+/// curve ends: what a planner may count on. Angles of the curve never rise with depth, so where a
+/// criterion lets the fan open again deeper down, as S-44 Order 1a does at 40 m, it stays narrow.
+/// Depths that are not above 0 count as the shoalest that is; where nothing is accepted the curve
+/// ends at 0 degrees.
+[[nodiscard]] Sonar narrowed_to(const Criterion& criterion, const UncertaintyModel& model,
+                                const Sonar& sonar, const SonarDepths& depths, double draft_m,
+                                double speed_mps);
+
 }  // namespace swathplan

@@ -83,6 +83,35 @@ TEST(CriterionFan, AsksForTheCriterionsCellSoundingsAndStrikes) {
   EXPECT_LT(best->rate_m2ps, best_area_rate(question, 20.0)->rate_m2ps);
 }
 
+TEST(CriterionFan, NarrowsASonarByDepthAndNeverOpensIt) {
+  FanCase c;
+  c.sonar.coverage_curve = {{5.0, Angle::degrees(65)}, {25.0, Angle::degrees(45)}};
+  const UncertaintyModel model(c.budget);
+  const Criterion& order = criterion("s44-special");
+  const Sonar narrow = narrowed_to(order, model, c.sonar, {2.0, 200.0}, 1.0, 4.0);
+  ASSERT_GT(narrow.coverage_curve.size(), 10U);
+  for (std::size_t i = 0; i < narrow.coverage_curve.size(); ++i) {
+    const auto [depth, half] = narrow.coverage_curve[i];
+    if (i > 0) {
+      EXPECT_LE(half, narrow.coverage_curve[i - 1].half_angle);
+      EXPECT_GT(depth, narrow.coverage_curve[i - 1].depth_m);
+    }
+    const auto accepted = c.widest("s44-special", depth);
+    EXPECT_LE(half.deg(), accepted ? accepted->deg() + 0.01 : 0.0) << depth;
+    EXPECT_LE(reach_m(narrow, half), reach_m(c.sonar, half) + 1e-9) << depth;
+  }
+  // Where the sonar's own curve is what ends the fan.
+  EXPECT_NEAR(narrow.coverage_curve.front().half_angle.deg(), 65.0, 0.01);
+}
+
+TEST(CriterionFan, NarrowsForGroundOfOneDepth) {
+  const FanCase c;
+  const Sonar narrow = narrowed_to(criterion("s44-special"), UncertaintyModel(c.budget), c.sonar,
+                                   {20.0, 20.0}, 1.0, 4.0);
+  ASSERT_EQ(narrow.coverage_curve.size(), 1U);
+  EXPECT_EQ(narrow.coverage_curve[0].half_angle, *c.widest("s44-special", 20.0));
+}
+
 TEST(CriterionFan, RefusesWhatMakesNoSense) {
   const FanCase c;
   EXPECT_THROW((void)c.widest("s44-1a", 0.0), UsageError);
