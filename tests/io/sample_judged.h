@@ -29,6 +29,7 @@ inline JudgedSurvey judged_survey() {
   survey.raster.rows = 2;
   survey.raster.tvu_m = {0.1F, 0.2F, 0.3F, 0.4F, 0.5F, JudgedCell::kNone};
   survey.raster.thu_m = {1.1F, 1.2F, 1.3F, 1.4F, 1.5F, JudgedCell::kNone};
+  survey.raster.tvu_share = survey.raster.tvu_m;
   survey.tvu_histogram[3] = 30;
   survey.tvu_histogram[12] = 10;
   survey.pings = 5;

@@ -44,7 +44,7 @@ UncertaintyRaster empty_raster(const CoverageGrid& grid) {
   raster.columns = grid.columns();
   raster.rows = grid.rows();
   raster.tvu_m.assign(grid.words().size(), JudgedCell::kNone);
-  raster.thu_m = raster.tvu_m;
+  raster.thu_m = raster.tvu_share = raster.tvu_m;
   return raster;
 }
 
@@ -102,6 +102,7 @@ class Filling {
     if (const auto i = cell_at(result_.raster, s.position)) {
       result_.raster.tvu_m[*i] = std::min(result_.raster.tvu_m[*i], s.tvu_m);
       result_.raster.thu_m[*i] = std::min(result_.raster.thu_m[*i], s.thu_m);
+      result_.raster.tvu_share[*i] = std::min(result_.raster.tvu_share[*i], s.tvu_share);
     }
     if (!asked) return;
     ++result_.soundings;

@@ -17,6 +17,7 @@ struct UncertaintyRaster {
   Vec2 origin = Vec2::Zero();  ///< lower-left corner, local metres
   std::uint32_t columns = 0, rows = 0;
   std::vector<float> tvu_m, thu_m;  ///< infinite where no sounding of a logged line fell
+  std::vector<float> tvu_share;     ///< smallest share of the TVU's limit
 };
 
 /// Soundings by the share of their TVU in its limit: from 0, each bin kTvuBin wide, the last one

@@ -27,6 +27,23 @@ function tvuChart(name, {bin, soundings}) {
   return chart;
 }
 
+/** A map of TVU / its limit beside its colours. */
+function tvuMap(plan) {
+  const {tvu} = plan.criterion;
+  const picture = new Picture(tvu, tvu.palette, true);
+  const frame = element('div', {class: 'map'});
+  const strip = tvu.palette.slice(1, -1);
+  const legend = element('div', {class: 'legend'},
+    element('span', {class: 'item'}, 'Best TVU of a cell: 0', element('span', {class: 'ramp',
+      style: `background:linear-gradient(90deg,${strip})`}), 'its limit'),
+    legendItem(element('span', {class: 'box', style: '--c:' + tvu.palette[tvu.palette.length - 1]}), 'beyond it'));
+  new MapView(frame, 'Vertical uncertainty of plan ' + plan.name, 420, (map) => {
+    picture.draw(map);
+    map.stroke(area, '#10202c', 1.8);
+  });
+  return element('div', {}, frame, legend);
+}
+
 function ruleRow(rule) {
   const where = rule.where.slice(0, 3).map((p) => `${number(p.x, 1).replaceAll(',', '')}, ` +
     `${number(p.y, 1).replaceAll(',', '')} (${square(p.area_m2)})`);
@@ -46,7 +63,7 @@ function criterionCard(plan) {
     element('p', {class: 'says'}, element('strong', {}, plan.name + ': predicted to ' + (c.predicted_to_pass ? 'pass ' : 'fail ') + c.title + '.'),
       ` Judged over ${square(c.judged_m2)}; ${number(c.accepted_soundings_pct, 1)} % of ${count(c.logged_soundings)} logged soundings within the limits.` + left),
     element('div', {class: 'scroll'}, element('table', {}, head, element('tbody', {}, ...c.rules.map(ruleRow)))),
-    tvuChart(plan.name, c.tvu_share_of_limit));
+    element('div', {class: 'pair'}, tvuMap(plan), tvuChart(plan.name, c.tvu_share_of_limit)));
 }
 
 {

@@ -177,6 +177,7 @@ TEST(Report, OpensWithTheVerdictOfTheCriterion) {
   const json criterion = data_of(page)["plans"][0]["criterion"];
   EXPECT_EQ(criterion["predicted_to_pass"], false);
   EXPECT_EQ(criterion["rules"].size(), 2U);
+  EXPECT_EQ(criterion["tvu"]["columns"], 3);
   EXPECT_THAT(page, HasSubstr("It is predicted to fail IHO S-44 Special Order: coverage"));
   EXPECT_LT(page.find("id=\"h-criterion\""), page.find("id=\"h-coverage\""));
 }
