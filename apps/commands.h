@@ -1,9 +1,17 @@
 #pragma once
 
+#include <stdexcept>
+
 #include "apps/command_line.h"
 
 // The subcommands. They throw UsageError and InvalidInput; main turns these into exit codes.
 namespace swathplan {
+
+/// A survey had to pass its criterion and is predicted to fail it (exit code 3).
+class PredictedToFail : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 [[nodiscard]] Command inspect_command();
 [[nodiscard]] Command synth_command();

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kDataError = 1;
 constexpr int kUsageError = 2;
+constexpr int kPredictedToFail = 3;
 
 int complain(const std::string& what, int code) {
   fmt::print(stderr, "swathplan: {}\n", what);
@@ -35,6 +36,8 @@ int main(int argc, char** argv) {
         swathplan::version_text, all_commands(), argc, argv);
   } catch (const swathplan::UsageError& e) {
     return complain(swathplan::in_flags(e), kUsageError);
+  } catch (const swathplan::PredictedToFail& e) {
+    return complain(e.what(), kPredictedToFail);
   } catch (const std::bad_alloc&) {
     return complain("not enough memory; use a coarser --resolution or a smaller --area",
                     kDataError);

@@ -8,6 +8,8 @@
 #include "apps/profiles.h"
 #include "coverage/route/sonar.h"
 #include "coverage/route/vehicle.h"
+#include "coverage/standards/criteria.h"
+#include "coverage/standards/uncertainty.h"
 #include "io/exports/route_export.h"
 #include "mesh/base/error.h"
 #include "planners/plan.h"
@@ -20,13 +22,14 @@ const char* const kScoringGroup = "Scoring";
 const char* const kSonarGroup = "Sonar";
 const char* const kVehicleGroup = "Vehicle";
 const char* const kNoiseGroup = "Tracking errors";
+const char* const kCriteriaGroup = "Criteria";
+const char* const kUncertaintyGroup = "Uncertainty (one standard deviation each)";
 const char* const kPlanningGroup = "Planning";
 
 template <class Presets>
-std::vector<std::string> names_of(const Presets& presets) {
-  std::vector<std::string> names;
-  names.reserve(presets.size());
-  for (const auto& preset : presets) names.push_back(preset.name);
+std::vector<std::string> names_of(const Presets& presets, std::vector<std::string> names = {}) {
+  names.reserve(names.size() + presets.size());
+  for (const auto& preset : presets) names.emplace_back(preset.name);
   return names;
 }
 
@@ -36,8 +39,8 @@ const OptionTable& shared_options() {
   static SurveyOptions survey;
   static ExportChoice exports;
   static const OptionTable table =
-      joined({site_options(site), scoring_options(survey), planning_options(survey.planning),
-              exporting_options(exports)});
+      joined({site_options(site), scoring_options(survey), criteria_options(survey.criteria),
+              planning_options(survey.planning), exporting_options(exports)});
   return table;
 }
 
@@ -235,6 +238,87 @@ OptionTable scoring_options(SurveyOptions& survey) {
                  beyond,
                  noise_options(survey.noise),
                  rest});
+}
+
+namespace {
+
+OptionTable sounding_uncertainties(CriteriaChoice& o) {
+  const char* const group = kUncertaintyGroup;
+  return {
+      real("--range-uncertainty", group, o.range_m, kMetres, at_least(0.0),
+           "Slant range, metres (default: the sonar's)", "range_uncertainty_m"),
+      real("--beam-angle-uncertainty", group, o.beam_angle_deg, kDegrees, at_least(0.0),
+           "Beam angle, degrees (default: the sonar's)", "beam_angle_uncertainty_deg"),
+      real("--sound-speed-uncertainty", group, o.sound_speed_mps, kMetresPerSecond, at_least(0.0),
+           "Mean sound speed of the water, m/s", "sound_speed_uncertainty_mps"),
+      real("--head-sound-speed-uncertainty", group, o.head_sound_speed_mps, kMetresPerSecond,
+           at_least(0.0), "Sound speed at the sonar head, m/s", "head_sound_speed_uncertainty_mps"),
+  };
+}
+
+OptionTable motion_uncertainties(CriteriaChoice& o) {
+  const char* const group = kUncertaintyGroup;
+  return {
+      real("--roll-uncertainty", group, o.roll_deg, kDegrees, at_least(0.0),
+           "Roll, degrees (default: the motion sensor's)", "roll_uncertainty_deg"),
+      real("--pitch-uncertainty", group, o.pitch_deg, kDegrees, at_least(0.0),
+           "Pitch, degrees (default: the motion sensor's)", "pitch_uncertainty_deg"),
+      real("--heading-uncertainty", group, o.heading_deg, kDegrees, at_least(0.0),
+           "Heading, degrees (default: the motion sensor's)", "heading_uncertainty_deg"),
+      real("--heave-uncertainty", group, o.heave_m, kMetres, at_least(0.0),
+           "Heave, fixed part, metres (default: the motion sensor's)", "heave_uncertainty_m"),
+      real("--heave-share", group, o.heave_share_pct, kPerCent, at_least(0.0),
+           "... or per cent of the expected heave, if that is more (default: the motion sensor's)",
+           "heave_uncertainty_pct"),
+      real("--expected-heave", group, o.expected_heave_m, kMetres, at_least(0.0),
+           "Heave that the sea is expected to give, metres", "expected_heave_m"),
+  };
+}
+
+OptionTable place_uncertainties(CriteriaChoice& o) {
+  const char* const group = kUncertaintyGroup;
+  return {
+      real("--position-uncertainty", group, o.position_m, kMetres, at_least(0.0),
+           "Position, in each direction, metres (default: the positioning's)",
+           "position_uncertainty_m"),
+      real("--timing-uncertainty", group, o.timing_s, "seconds", at_least(0.0),
+           "Time between position and ping, seconds (default: the positioning's)",
+           "timing_uncertainty_s"),
+      real("--draft-uncertainty", group, o.draft_m, kMetres, at_least(0.0), "Draft, metres",
+           "draft_uncertainty_m"),
+      real("--squat-uncertainty", group, o.squat_m, kMetres, at_least(0.0), "Squat, metres",
+           "squat_uncertainty_m"),
+      real("--water-level-uncertainty", group, o.water_level_m, kMetres, at_least(0.0),
+           "Tide, or height and separation model, metres (default: the positioning's, where that "
+           "gives heights)",
+           "water_level_uncertainty_m"),
+  };
+}
+
+}  // namespace
+
+OptionTable criteria_options(CriteriaChoice& o) {
+  const OptionTable what{
+      choice("--criteria", kCriteriaGroup, o.criterion, names_of(criteria(), {"none"}),
+             "Judge the survey's logged lines by this standard", "criteria"),
+      flag("--require-pass", kCriteriaGroup, o.require_pass,
+           "Exit with 3 if it is predicted to fail", ""),
+      flag("--smooth-seafloor", kCriteriaGroup, o.smooth_seafloor,
+           "The ground between the points of FILE is known to be smooth: judge it on finer cells "
+           "than they show",
+           "smooth_seafloor"),
+  };
+  const OptionTable sensors{
+      choice("--positioning", kUncertaintyGroup, o.positioning,
+             names_of(positioning_presets(), {"none"}),
+             "Positioning preset, which gives position, timing and, with heights, water level",
+             "positioning"),
+      choice("--motion-sensor", kUncertaintyGroup, o.motion_sensor,
+             names_of(motion_sensor_presets(), {"none"}),
+             "Motion sensor preset, which gives roll, pitch, heading and heave", "motion_sensor"),
+  };
+  return joined(
+      {what, sensors, sounding_uncertainties(o), motion_uncertainties(o), place_uncertainties(o)});
 }
 
 OptionTable planning_options(PlanningChoice& o) {

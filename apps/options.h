@@ -78,6 +78,20 @@ struct PlanningChoice {
   double line_margin_pct = 0.0;
 };
 
+/// What a survey is judged by, and how well its soundings are known: presets and what overrides
+/// them.
+struct CriteriaChoice {
+  std::string criterion = "none";
+  bool require_pass = false, smooth_seafloor = false;
+  std::string positioning = "none", motion_sensor = "none";
+  std::optional<double> range_m, beam_angle_deg;
+  double sound_speed_mps = 1.0, head_sound_speed_mps = 0.25;
+  std::optional<double> roll_deg, pitch_deg, heading_deg, heave_m, heave_share_pct;
+  double expected_heave_m = 0.0;
+  std::optional<double> position_m, timing_s, water_level_m;
+  double draft_m = 0.02, squat_m = 0.02;
+};
+
 /// What is planned and scored with.
 struct SurveyOptions {
   std::string profile = "survey";
@@ -85,6 +99,7 @@ struct SurveyOptions {
   VehicleChoice vehicle;
   NoiseChoice noise;
   ScoringChoice scoring;
+  CriteriaChoice criteria;
   PlanningChoice planning;
 };
 
@@ -107,6 +122,8 @@ struct ExportChoice {
 [[nodiscard]] OptionTable vehicle_options(VehicleChoice& vehicle);
 /// Scoring, sonar, vehicle and tracking errors.
 [[nodiscard]] OptionTable scoring_options(SurveyOptions& survey);
+/// Of `plan` and `score`.
+[[nodiscard]] OptionTable criteria_options(CriteriaChoice& criteria);
 [[nodiscard]] OptionTable planning_options(PlanningChoice& planning);
 /// Of `plan`, `compare` and `lines`, in a group of their own.
 [[nodiscard]] OptionTable exporting_options(ExportChoice& choice);

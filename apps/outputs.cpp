@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "apps/commands.h"
 #include "io/exports/route_export.h"
 #include "io/files/atomic_file.h"
 #include "io/pictures/coverage_png.h"
 #include "io/pictures/coverage_tif.h"
+#include "io/pictures/uncertainty_tif.h"
 #include "io/report/report.h"
 #include "io/results/holidays_geojson.h"
 #include "io/results/plan_json.h"
@@ -51,11 +53,18 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
   remove_exports(folder, "route", all_export_formats());
   write_route_csv(folder / "route.csv", survey.plan.route, frame);
   write_route_geojson(folder, survey.plan.route, frame);
-  write_score_json(folder / "score.json", survey.record.planner, survey.scored.score, provenance);
+  write_score_json(folder / "score.json", survey.record.planner, survey.scored.score, provenance,
+                   judged_in(survey, site));
   write_plan_json(folder / "plan.json", survey.record, frame, provenance);
   write_coverage_tif(folder / "coverage.tif", survey.scored.grid, frame);
   write_coverage_png(folder / "coverage.png", survey.scored.grid, survey.record.label);
   write_holidays_geojson(folder, survey.scored.score.holidays, frame);
+  if (survey.judged) {
+    write_tvu_tif(folder / "tvu.tif", survey.judged->raster, frame);
+    write_thu_tif(folder / "thu.tif", survey.judged->raster, frame);
+  } else {
+    remove_old(folder, {"tvu.tif", "thu.tif"});
+  }
 }
 
 void write_survey_report(const std::filesystem::path& file, const std::string& title,
@@ -71,8 +80,8 @@ void write_survey_report(const std::filesystem::path& file, const std::string& t
   report.provenance = provenance;
   std::vector<ReportPlan> plans;
   for (const PlannedSurvey& s : surveys) {
-    plans.push_back(
-        {&s.record, &s.plan.route, &s.scored.score, &s.scored.grid, s.planning_seconds});
+    plans.push_back({&s.record, &s.plan.route, &s.scored.score, &s.scored.grid, s.planning_seconds,
+                     s.judged ? &*s.judged : nullptr});
   }
   write_report(file, report, plans);
 }
@@ -94,6 +103,36 @@ std::string table(const std::vector<PlannedSurvey>& surveys) {
         score.route.infeasible_legs, score.route.duration_s / 3600.0);
   }
   return text;
+}
+
+std::string verdicts(const std::vector<PlannedSurvey>& surveys) {
+  std::string text;
+  for (const PlannedSurvey& s : surveys) {
+    if (!s.judged) continue;
+    const Verdict& verdict = s.judged->verdict;
+    text += fmt::format("{}: predicted to {} {}\n", s.record.label, verdict.pass ? "pass" : "fail",
+                        verdict.title);
+    for (const JudgedRule& rule : verdict.rules) {
+      text += fmt::format("  {} {:<23} {} (asked: {})\n", rule.pass ? "passes" : "FAILS ",
+                          rule.name, rule.figure, rule.asks);
+    }
+    if (s.judged->out_of_reach_m2 > 0.0) {
+      text +=
+          fmt::format("  not judged: {:.0f} m2 that no place in safe water shows to the sonar\n",
+                      s.judged->out_of_reach_m2);
+    }
+  }
+  return text;
+}
+
+JudgedIn judged_in(const PlannedSurvey& survey, const Site& site) {
+  if (!survey.judged) return {};
+  return {&*survey.judged, &site.seafloor().frame};
+}
+
+void check_passes(const PlannedSurvey& planned, const Survey& survey) {
+  if (!survey.judging || !survey.judging->require_pass || planned.judged->verdict.pass) return;
+  throw PredictedToFail(planned.record.label + ": " + sentence(planned.judged->verdict));
 }
 
 std::string choices_table(const Plan& plan) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/planning.h"
+#include "io/results/score_json.h"
 
 namespace swathplan {
 
@@ -25,6 +26,16 @@ void write_survey_report(const std::filesystem::path& file, const std::string& t
 
 /// The table that `plan`, `compare` and `score` print.
 [[nodiscard]] std::string table(const std::vector<PlannedSurvey>& surveys);
+
+/// What the criterion says of each survey that was judged, rule by rule; empty without one.
+[[nodiscard]] std::string verdicts(const std::vector<PlannedSurvey>& surveys);
+
+/// What score_json() is to say of the criterion.
+[[nodiscard]] JudgedIn judged_in(const PlannedSurvey& survey, const Site& site);
+
+/// @throws PredictedToFail if the criterion was required to pass and the survey is predicted to
+/// fail.
+void check_passes(const PlannedSurvey& planned, const Survey& survey);
 
 /// The choices that a planner offers, with a mark at the picked one; empty if it offers none.
 [[nodiscard]] std::string choices_table(const Plan& plan);

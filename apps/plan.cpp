@@ -64,10 +64,13 @@ void run(const PlanCommand& command) {
   }
   if (!command.output.quiet) fmt::print(stderr, "{}", choices_table(surveys[0].plan));
   if (command.output.json) {
-    fmt::print("{}", score_json(chosen.name, surveys[0].scored.score, provenance));
+    fmt::print("{}", score_json(chosen.name, surveys[0].scored.score, provenance,
+                                judged_in(surveys[0], *site)));
   } else if (!command.output.quiet) {
-    fmt::print("{}report: {}\n", table(surveys), (folder / "report.html").string());
+    fmt::print("{}{}report: {}\n", table(surveys), verdicts(surveys),
+               (folder / "report.html").string());
   }
+  check_passes(surveys[0], survey);
 }
 
 }  // namespace
@@ -77,8 +80,9 @@ Command plan_command() {
   return {"plan",
           "Plan a survey with one planner: route, score, report",
           joined({site_options(command->site), scoring_options(command->survey),
-                  own_options(*command), planning_options(command->survey.planning),
-                  exporting_options(command->exports), output_options(command->output)}),
+                  criteria_options(command->survey.criteria), own_options(*command),
+                  planning_options(command->survey.planning), exporting_options(command->exports),
+                  output_options(command->output)}),
           [command] { run(*command); },
           {}};
 }

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "apps/progress.h"
+#include "coverage/standards/criterion_fan.h"
 #include "mesh/base/error.h"
 #include "planners/fitted/edge_following.h"
 #include "planners/fitted/fitted_lines.h"
@@ -37,6 +39,44 @@ void check_scale(const Site& site, const Survey& survey) {
         "--z-unit and --water-level, or choose another --sonar",
         shoalest, sonar.name, sonar.max_range_m));
   }
+}
+
+/// @throws UsageError where no sounding of the site can be accepted; says what is missed by most.
+void check_any_accepted(const Judging& judging, const Sonar& narrowed, double draft_m) {
+  const CoverageLimit& shoalest = narrowed.coverage_curve.front();
+  if (shoalest.half_angle.rad() > 0.0) return;
+  const SoundingGeometry down{Angle(), shoalest.depth_m, 0.0};
+  const std::vector<UncertaintyPart> parts = depth_parts(judging.budget, down);
+  const auto most = std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+    return a.sigma_m < b.sigma_m;
+  });
+  const SoundingUncertainty known = sounding_uncertainty(judging.budget, down);
+  const double depth = shoalest.depth_m + draft_m;
+  throw UsageError(fmt::format(
+      "--criteria {}: not even the beam straight down is known well enough in {:.1f} m of water: "
+      "TVU {:.2f} m (limit {:.2f} m), THU {:.2f} m (limit {:.2f} m); most of the depth's comes "
+      "from {} ({:.3f} m)",
+      judging.criterion->name, depth, known.tvu_m, tvu_limit_m(*judging.criterion, depth),
+      known.thu_m, thu_limit_m(*judging.criterion, depth), most->source, most->sigma_m));
+}
+
+/// The sonar that a plan may count on: within what the criterion accepts, if there is one.
+Sonar counted_on(const Site& site, const Survey& survey, std::vector<std::string>& notes) {
+  if (!survey.judging) return survey.sonar;
+  const Judging& judging = *survey.judging;
+  const DepthRange depths = depth_range(site.seafloor());
+  const double draft = survey.vehicle.draft_m;
+  Sonar narrowed =
+      narrowed_to(*judging.criterion, UncertaintyModel(judging.budget), survey.sonar,
+                  {depths.min - draft, depths.max - draft}, draft, survey.vehicle.speed_mps);
+  check_any_accepted(judging, narrowed, draft);
+  for (const CoverageLimit& limit : narrowed.coverage_curve) {
+    if (limit.half_angle.rad() > 0.0) continue;
+    notes.push_back(fmt::format("deeper than {:.0f} m no sounding is known well enough for {}",
+                                limit.depth_m + draft, judging.criterion->title));
+    break;
+  }
+  return narrowed;
 }
 
 }  // namespace
@@ -85,6 +125,10 @@ Scorer::Scorer(const Site& site, const Survey& survey, bool quiet)
   // A site that cannot be scored is refused before any planner works for it.
   static_cast<void>(grid_size(site.survey_area, survey.scoring.resolution_m));
   check_scale(site, survey);
+  if (survey.judging) {
+    judge_.emplace(ground_, *survey.judging->criterion, survey.judging->budget,
+                   survey.judging->how);
+  }
 }
 
 ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
@@ -92,6 +136,14 @@ ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
   ScoreOptions options = survey_->scoring;
   options.progress = [&](double share, std::uint64_t rays) { bar.show(share, rays); };
   return swathplan::score(route, ground_, survey_->sonar, survey_->vehicle, options);
+}
+
+std::optional<JudgedSurvey> Scorer::judge(const std::string& label, const Route& route) const {
+  if (!judge_) return std::nullopt;
+  ProgressBar bar(label, quiet_);
+  ScoreOptions options = survey_->scoring;
+  options.progress = [&](double share, std::uint64_t rays) { bar.show(share, rays); };
+  return judge_->judge(route, survey_->sonar, survey_->vehicle, options);
 }
 
 void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
@@ -113,8 +165,11 @@ PlannedSurvey recorded(const std::string& planner, const std::string& label, Pla
 PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Survey& survey,
                              const Scorer& scorer) {
   const auto start = std::chrono::steady_clock::now();
-  const PlanOptions how = planning_in(survey, site.seafloor().frame);
+  PlanOptions how = planning_in(survey, site.seafloor().frame);
+  std::vector<std::string> notes;
+  how.sonar = counted_on(site, survey, notes);
   Plan plan = planner.plan(scorer.ground(), how);
+  plan.notes.insert(plan.notes.end(), notes.begin(), notes.end());
   if (how.start && !contains(site.water, *how.start) && !plan.route.waypoints.empty()) {
     const Vec2 first = site.seafloor().frame.to_file(plan.route.waypoints.front().position);
     plan.notes.push_back(
@@ -134,6 +189,7 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
   PlannedSurvey planned =
       recorded(planner.name, planner.label, std::move(plan), std::move(scored), site, survey);
   planned.planning_seconds = planning;
+  planned.judged = scorer.judge("judge", planned.plan.route);
   return planned;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/site.h"
+#include "coverage/judging/judged_survey.h"
 #include "coverage/score.h"
 #include "io/results/plan_record.h"
 #include "planners/plan.h"
@@ -26,6 +27,7 @@ struct PlannedSurvey {
   Plan plan;
   ScoredRoute scored;
   double planning_seconds = 0.0;
+  std::optional<JudgedSurvey> judged = std::nullopt;  ///< by the survey's criterion, if it has one
 };
 /// Records a scored plan under its name and label, with the notes of the plan, then of the site.
 [[nodiscard]] PlannedSurvey recorded(const std::string& planner, const std::string& label,
@@ -37,7 +39,8 @@ void note_reach(Site& site, const Survey& survey);
 
 /// What routes of one command are scored on, built once.
 /// @throws UsageError for cells larger than the area or too many of them; InvalidInput for a
-/// seafloor beyond the sonar's range.
+/// seafloor beyond the sonar's range. Refuses a criterion that cannot be judged here, as
+/// SurveyJudge.
 class Scorer {
  public:
   Scorer(const Site& site, const Survey& survey, bool quiet);
@@ -45,11 +48,15 @@ class Scorer {
   Scorer& operator=(const Scorer&) = delete;
   [[nodiscard]] const Ground& ground() const { return ground_; }
   [[nodiscard]] ScoredRoute score(const std::string& label, const Route& route) const;
+  /// By the survey's criterion; empty if it has none.
+  [[nodiscard]] std::optional<JudgedSurvey> judge(const std::string& label,
+                                                  const Route& route) const;
 
  private:
   const Survey* survey_;
   RayScene scene_;
   Ground ground_;
+  std::optional<SurveyJudge> judge_;
   bool quiet_;
 };
 

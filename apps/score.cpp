@@ -114,12 +114,14 @@ void run(const ScoreCommand& command) {
   std::optional<Plan> filled;
   if (command.infill) filled = with_passes(plan, survey, scorer);
   surveys.push_back(recorded("given", name, std::move(plan), std::move(scored), *site, survey));
+  surveys[0].judged = scorer.judge("judge", surveys[0].plan.route);
   const std::filesystem::path& folder = command.output.folder;
   if (filled) {
     ScoredRoute again = scorer.score("infill", filled->route);
     note_endurance(again.score.route, vehicle, filled->notes);
     surveys.push_back(recorded("infill", name + " + infill", std::move(*filled), std::move(again),
                                *site, survey));
+    surveys[1].judged = scorer.judge("judge infill", surveys[1].plan.route);
     write_survey(folder / "infill", surveys[1], *site, provenance);
   }
   write_survey(folder, surveys[0], *site, provenance);
@@ -130,11 +132,13 @@ void run(const ScoreCommand& command) {
   if (!command.output.quiet) print_notes(surveys);
   if (command.output.json) {
     // With infill, --json prints the figures of the new route.
-    fmt::print("{}",
-               score_json(surveys.back().record.planner, surveys.back().scored.score, provenance));
+    fmt::print("{}", score_json(surveys.back().record.planner, surveys.back().scored.score,
+                                provenance, judged_in(surveys.back(), *site)));
   } else if (!command.output.quiet) {
-    fmt::print("{}report: {}\n", table(surveys), (folder / "report.html").string());
+    fmt::print("{}{}report: {}\n", table(surveys), verdicts(surveys),
+               (folder / "report.html").string());
   }
+  check_passes(surveys.back(), survey);
 }
 
 }  // namespace
@@ -147,6 +151,7 @@ Command score_command() {
       joined({site_options(command->site),
               {argument("ROUTE", command->route, "route.csv, another CSV of points, or GeoJSON")},
               scoring_options(command->survey),
+              criteria_options(command->survey.criteria),
               own_options(*command),
               output_options(command->output)}),
       [command] { run(*command); },

@@ -121,6 +121,85 @@ TrackNoise noise_of(const NoiseChoice& o) {
   return noise;
 }
 
+/// @throws UsageError for what is typed of a judgement that is not asked for.
+void refuse_idle(const CriteriaChoice& typed) {
+  CriteriaChoice given = typed;
+  CriteriaChoice untouched;
+  const OptionTable rows = criteria_options(given);
+  const OptionTable defaults = criteria_options(untouched);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (value_of(rows[i]) == value_of(defaults[i])) continue;
+    throw UsageError(
+        fmt::format("{} without --criteria; nothing is judged: name a criterion or leave it out",
+                    long_flag(rows[i])));
+  }
+}
+
+void set_if(std::optional<Angle>& value, const std::optional<double>& degrees) {
+  if (degrees) value = Angle::degrees(*degrees);
+}
+
+void set_if(std::optional<double>& value, const std::optional<double>& given) {
+  if (given) value = given;
+}
+
+UncertaintyBudget budget_of(const CriteriaChoice& o, const Sonar& sonar) {
+  UncertaintyBudget budget;
+  use_sonar(sonar.name, budget);
+  if (o.positioning != "none") use_positioning(o.positioning, budget);
+  if (o.motion_sensor != "none") use_motion_sensor(o.motion_sensor, budget);
+  budget.beam_width_along = sonar.beam_width_along;
+  set_if(budget.range_m, o.range_m);
+  set_if(budget.beam_angle, o.beam_angle_deg);
+  budget.mean_sound_speed_mps = o.sound_speed_mps;
+  budget.head_sound_speed_mps = o.head_sound_speed_mps;
+  set_if(budget.roll, o.roll_deg);
+  set_if(budget.pitch, o.pitch_deg);
+  set_if(budget.heading, o.heading_deg);
+  set_if(budget.heave_m, o.heave_m);
+  if (o.heave_share_pct) budget.heave_share = *o.heave_share_pct / 100.0;
+  budget.expected_heave_m = o.expected_heave_m;
+  set_if(budget.position_m, o.position_m);
+  set_if(budget.timing_s, o.timing_s);
+  set_if(budget.water_level_m, o.water_level_m);
+  budget.draft_m = o.draft_m;
+  budget.squat_m = o.squat_m;
+  return budget;
+}
+
+std::optional<Judging> judging_of(const CriteriaChoice& o, const Sonar& sonar,
+                                  double sound_speed_mps) {
+  if (o.criterion == "none") {
+    refuse_idle(o);
+    return std::nullopt;
+  }
+  Judging judging{&criterion(o.criterion), budget_of(o, sonar), {}, o.require_pass};
+  judging.budget.sound_speed_mps = sound_speed_mps;
+  judging.how.smooth_seafloor = o.smooth_seafloor;
+  // What is missing is refused before any work.
+  static_cast<void>(UncertaintyModel(judging.budget));
+  return judging;
+}
+
+void keep_degrees(std::optional<double>& given, const std::optional<Angle>& in_force) {
+  if (!given && in_force) given = tidy_degrees(*in_force);
+}
+
+CriteriaChoice in_force(const CriteriaChoice& typed, const UncertaintyBudget& budget) {
+  CriteriaChoice o = typed;
+  if (!o.range_m) o.range_m = budget.range_m;
+  keep_degrees(o.beam_angle_deg, budget.beam_angle);
+  keep_degrees(o.roll_deg, budget.roll);
+  keep_degrees(o.pitch_deg, budget.pitch);
+  keep_degrees(o.heading_deg, budget.heading);
+  if (!o.heave_m) o.heave_m = budget.heave_m;
+  keep(o.heave_share_pct, 100.0 * budget.heave_share);
+  if (!o.position_m) o.position_m = budget.position_m;
+  if (!o.timing_s) o.timing_s = budget.timing_s;
+  if (!o.water_level_m) o.water_level_m = budget.water_level_m;
+  return o;
+}
+
 PlanOptions planning_of(const SurveyOptions& options, const Survey& survey) {
   const PlanningChoice& o = options.planning;
   PlanOptions result;
@@ -215,6 +294,7 @@ Survey survey_of(const SurveyOptions& o) {
   survey.scoring.footprint = !o.scoring.hit_only;
   survey.scoring.threads = o.scoring.threads;
   survey.scoring.noise = noise_of(o.noise);
+  survey.judging = judging_of(o.criteria, survey.sonar, o.scoring.sound_speed_mps);
   survey.planning = planning_of(o, survey);
   survey.start_text = o.planning.start;
   if (!survey.start_text.empty()) survey.start_xy = start_point(survey.start_text);
@@ -260,6 +340,7 @@ SurveyOptions in_force(const SurveyOptions& typed, const Survey& survey) {
   keep(o.planning.least_line_m, survey.planning.least_line_m);
   keep(o.planning.least_speed_mps, survey.planning.least_speed_mps);
   keep(o.planning.soundings, survey.planning.soundings);
+  if (survey.judging) o.criteria = in_force(typed.criteria, survey.judging->budget);
   keep(o.planning.smallest_region_m2, smallest_region_m2(survey.planning));
   return o;
 }
@@ -299,6 +380,9 @@ void record_scoring(Provenance& provenance, const SurveyOptions& typed, const Su
   SurveyOptions as_typed = typed;
   SurveyOptions now = in_force(typed, survey);
   record(provenance, scoring_options(as_typed), scoring_options(now));
+  if (survey.judging) {
+    record(provenance, criteria_options(as_typed.criteria), criteria_options(now.criteria));
+  }
 }
 
 void record_planning(Provenance& provenance, const SurveyOptions& typed, const Survey& survey) {

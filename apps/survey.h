@@ -4,6 +4,7 @@
 #include <string>
 
 #include "apps/options.h"
+#include "coverage/judging/judged_survey.h"
 #include "coverage/score.h"
 #include "io/results/provenance.h"
 #include "io/seafloor/import_seafloor.h"
@@ -11,14 +12,23 @@
 
 namespace swathplan {
 
+/// What a survey is judged by.
+struct Judging {
+  const Criterion* criterion = nullptr;
+  UncertaintyBudget budget;
+  JudgingOptions how;
+  bool require_pass = false;
+};
+
 /// What a survey is planned and scored with, made once from what was typed.
 struct Survey {
   Sonar sonar;
   Vehicle vehicle;
   PlanOptions planning;  ///< without its start, which the seafloor's frame places
   ScoreOptions scoring;
-  std::optional<Vec2> start_xy;  ///< where to begin, in the coordinates of the seafloor's file
-  std::string start_text;        ///< the same as it was typed
+  std::optional<Judging> judging;  ///< empty: by no criterion
+  std::optional<Vec2> start_xy;    ///< where to begin, in the coordinates of the seafloor's file
+  std::string start_text;          ///< the same as it was typed
 };
 
 /// @throws UsageError that names flag, value and rule.

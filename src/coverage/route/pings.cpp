@@ -84,7 +84,8 @@ bool PingWalker::push(std::vector<Ping>& block) const {
             .heave_m = 0.0,
             .fan = *from.fan,
             .leg = leg_of_segment_[segment_],
-            .log = from.log};
+            .log = from.log,
+            .speed_mps = from.speed_mps};
   if (noise_.any()) {
     ping.position += noise_state_[0] * noise_.lateral_sigma_m * Vec2(course.y(), -course.x());
     ping.course = clockwise(course, noise_state_[1] * noise_.heading_sigma.rad());

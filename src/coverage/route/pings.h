@@ -21,6 +21,7 @@ struct Ping {
   FanAngles fan;
   std::uint32_t leg = 0;  ///< index into legs(route)
   bool log = true;
+  double speed_mps = 0.0;  ///< of the row that is sailed
 };
 
 /// Departures from ideal tracking. Each is a first-order Gauss-Markov process over distance, so the

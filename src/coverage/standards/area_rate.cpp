@@ -21,8 +21,8 @@ void check_question(const RateQuestion& q) {
   require_positive("range of the sonar", q.sonar.max_range_m);
   require(q.max_half_angle.deg() > 0.0 && q.max_half_angle.deg() < 90.0, "half-angle",
           q.max_half_angle.deg(), "above 0 and under 90 degrees");
-  require(q.fans_a_cycle >= 1, "fans a cycle", q.fans_a_cycle, "at least 1");
   require_positive("resolution", q.cell_m);
+  require_positive("ping spacing", q.ping_spacing_m.value_or(q.cell_m));
   require_positive("soundings", q.soundings);
   require_positive("speed", q.max_speed_mps);
   require(q.least_speed_mps >= 0.0 && q.least_speed_mps <= q.max_speed_mps, "least speed",
@@ -30,24 +30,19 @@ void check_question(const RateQuestion& q) {
   require_positive("sound speed", q.sound_speed_mps);
 }
 
-double edge_spacing_m(const RateQuestion& q, double depth, double t) {
-  const double gaps = q.sonar.beams - 1;
-  const double cosine = std::cos(t);
-  return q.sonar.spacing == BeamSpacing::equiangular ? 2.0 * t * depth / (gaps * cosine * cosine)
-                                                     : 2.0 * depth * std::tan(t) / gaps;
-}
-
 AreaRate rate_at(const RateQuestion& q, double depth, double t) {
+  PingTiming timing;
+  timing.sound_speed_mps = q.sound_speed_mps;
   AreaRate rate;
   rate.half_angle = Angle::radians(t);
-  rate.beam_spacing_m = edge_spacing_m(q, depth, t);
-  rate.ping_interval_s = ping_interval_s(q, depth / std::cos(t));
-  const double one_ping = q.cell_m / rate.ping_interval_s;
+  rate.beam_spacing_m = edge_beam_spacing_m(q.sonar, depth, rate.half_angle);
+  rate.ping_interval_s = ping_interval_s(q.sonar, timing, depth / std::cos(t));
+  const double ping_spacing = q.ping_spacing_m.value_or(q.cell_m) / rate.ping_interval_s;
   const double soundings =
       q.cell_m * q.cell_m / (q.soundings * rate.beam_spacing_m * rate.ping_interval_s);
-  rate.speed_mps = std::min({q.max_speed_mps, one_ping, soundings});
+  rate.speed_mps = std::min({q.max_speed_mps, ping_spacing, soundings});
   rate.limit = rate.speed_mps == q.max_speed_mps ? RateLimit::vehicle
-               : rate.speed_mps == one_ping      ? RateLimit::one_ping
+               : rate.speed_mps == ping_spacing  ? RateLimit::ping_spacing
                                                  : RateLimit::soundings;
   rate.rate_m2ps = 2.0 * depth * rate.speed_mps * std::tan(t);
   return rate;
@@ -55,7 +50,7 @@ AreaRate rate_at(const RateQuestion& q, double depth, double t) {
 
 bool serves(const RateQuestion& q, double depth, const AreaRate& rate) {
   return rate.beam_spacing_m <= q.cell_m && rate.speed_mps >= q.least_speed_mps &&
-         depth / cos(rate.half_angle) <= q.sonar.max_range_m;
+         depth / cos(rate.half_angle) <= reach_m(q.sonar, rate.half_angle);
 }
 
 // All three conditions tighten as the fan opens, so those that serve are an interval from 0 on.
@@ -71,7 +66,7 @@ double widest_serving(const RateQuestion& q, double depth) {
   return low;
 }
 
-// Opening the fan, the rate first rises (the vehicle or one ping a cell hold the speed) and then
+// Opening the fan, the rate first rises (the vehicle or the pings' spacing hold the speed) and then
 // falls (the soundings do), so it has one summit.
 double summit(const RateQuestion& q, double depth, double widest) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
@@ -101,9 +96,12 @@ std::optional<AreaRate> best_of(const RateQuestion& q, double depth) {
 
 }  // namespace
 
-double ping_interval_s(const RateQuestion& q, double range_m) {
-  const double way = 2.0 * range_m / (kCycleForSound * q.sound_speed_mps);
-  return std::max(1.0 / q.sonar.max_ping_rate_hz, way) / q.fans_a_cycle;
+double edge_beam_spacing_m(const Sonar& sonar, double depth_m, Angle half_angle) {
+  const double gaps = sonar.beams - 1;
+  const double cosine = cos(half_angle);
+  return sonar.spacing == BeamSpacing::equiangular
+             ? 2.0 * half_angle.rad() * depth_m / (gaps * cosine * cosine)
+             : 2.0 * depth_m * tan(half_angle) / gaps;
 }
 
 std::optional<AreaRate> area_rate(const RateQuestion& question, double depth_m, Angle half_angle) {

@@ -3,31 +3,28 @@
 #include <optional>
 #include <span>
 
-#include "coverage/route/sonar.h"
+#include "coverage/route/ping_clock.h"
 
 namespace swathplan {
 
 /// What is asked of a fan over level ground. The sonar gives beams, their spacing, the largest ping
-/// rate and the range.
+/// rate, range, coverage curve and fans a cycle.
 struct RateQuestion {
   Sonar sonar;
   Angle max_half_angle = Angle::degrees(65);  ///< (0, 90) degrees
-  int fans_a_cycle = 1;                       ///< 2: dual swath
   double cell_m = 1.0;                        ///< > 0
+  std::optional<double> ping_spacing_m = {};  ///< largest along the course; empty: a cell
   double soundings = 5.0;                     ///< wanted a cell at the swath's edge, > 0
   double max_speed_mps = 4.0;                 ///< > 0
   double least_speed_mps = 0.0;               ///< the boat steers no slower, >= 0
   double sound_speed_mps = 1500.0;            ///< > 0
 };
 
-/// What of the cycle between two pings is left for the sound's way; the sonar works the rest.
-inline constexpr double kCycleForSound = 0.9;
-
 /// What holds the speed down.
 enum class RateLimit {
-  vehicle,   ///< its own largest speed
-  one_ping,  ///< a ping in each cell along the course
-  soundings  ///< the soundings wanted a cell
+  vehicle,       ///< its own largest speed
+  ping_spacing,  ///< a ping in each cell along the course, or nearer where that is asked
+  soundings      ///< the soundings wanted a cell
 };
 
 /// How fast a fan surveys.
@@ -40,9 +37,8 @@ struct AreaRate {
   RateLimit limit = RateLimit::vehicle;
 };
 
-/// Seconds between pings of a fan whose farthest sounding lies at `range_m`: no faster than the
-/// sonar can, no sooner than its sound is back.
-[[nodiscard]] double ping_interval_s(const RateQuestion& question, double range_m);
+/// Metres between neighbouring beams at the edge of a fan over level ground.
+[[nodiscard]] double edge_beam_spacing_m(const Sonar& sonar, double depth_m, Angle half_angle);
 
 /// The rate of a fan `depth_m` above level ground. Empty where it does not serve: its beams stand
 /// farther apart than a cell or beyond the sonar's range, or it asks for less than the least speed.

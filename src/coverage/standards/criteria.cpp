@@ -160,7 +160,8 @@ const Criterion& criterion(std::string_view name) {
 
 double tvu_limit_m(const Criterion& criterion, double depth_m) {
   const UncertaintyLimit& limit = at_depth(criterion.limits, depth_m);
-  return std::hypot(limit.a_m, limit.b * depth_m);
+  const double part = limit.b * depth_m;
+  return std::sqrt(limit.a_m * limit.a_m + part * part);
 }
 
 double thu_limit_m(const Criterion& criterion, double depth_m) {

@@ -126,18 +126,22 @@ struct UncertaintyParts {
 };
 
 SoundingUncertainty UncertaintyModel::of(const SoundingGeometry& s) const {
-  const double cosine = cos(s.from_vertical);
-  const double sine = sin(s.from_vertical);
-  const double depth = s.range_m * cosine;
-  const double across = s.range_m * sine;
-  const double tangent2 = squared(sine / cosine);
+  return of_beam(cos(s.from_vertical), s.range_m, s.speed_mps);
+}
+
+SoundingUncertainty UncertaintyModel::of_beam(double cosine, double range_m,
+                                              double speed_mps) const {
+  const double sine2 = std::max(0.0, 1.0 - cosine * cosine);
+  const double depth = range_m * cosine;
+  const double across = range_m * std::sqrt(sine2);
+  const double tangent2 = sine2 / (cosine * cosine);
   const double depth2 = UncertaintyParts(*this, depth, across, cosine, tangent2).sum() +
                         (heave2_ + draft2_ + squat2_ + water_level2_);
-  const double across2 = sine * sine * range2_ + across * across * mean_speed2_ +
+  const double across2 = sine2 * range2_ + across * across * mean_speed2_ +
                          depth * depth * (beam_angle2_ + roll2_ + tangent2 * head_speed2_) +
                          position2_;
   const double along2 = depth * depth * pitch2_ + across * across * heading2_ +
-                        s.speed_mps * s.speed_mps * timing2_ + position2_;
+                        speed_mps * speed_mps * timing2_ + position2_;
   return {kVertical95 * std::sqrt(depth2), kHorizontal95 * std::sqrt((along2 + across2) / 2.0)};
 }
 

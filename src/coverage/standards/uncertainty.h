@@ -54,6 +54,8 @@ class UncertaintyModel {
   /// @throws UsageError if a deviation is missing (all of them are named), negative or not finite.
   explicit UncertaintyModel(const UncertaintyBudget& budget);
   [[nodiscard]] SoundingUncertainty of(const SoundingGeometry& sounding) const;
+  /// The same from the cosine of the angle from the vertical, (0, 1].
+  [[nodiscard]] SoundingUncertainty of_beam(double cosine, double range_m, double speed_mps) const;
 
  private:
   friend struct UncertaintyParts;

@@ -3,7 +3,7 @@
 set(text "// Written by embed.cmake.\n#include \"io/report/assets_internal.h\"\n\n")
 string(APPEND text "namespace swathplan::internal {\n")
 foreach(asset "kReportPage report.html" "kReportStyle report.css"
-    "kReportScript view.js maps.js page.js limits.js chart.js start.js")
+    "kReportScript view.js maps.js page.js limits.js chart.js criteria.js start.js")
   separate_arguments(parts UNIX_COMMAND "${asset}")
   list(POP_FRONT parts name)
   string(APPEND text "const std::string_view ${name} = R\"~asset(")

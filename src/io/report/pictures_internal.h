@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "coverage/judging/judged_survey.h"
 #include "coverage/tracing/coverage_grid.h"
 #include "io/pictures/coverage_summary.h"
 #include "mesh/seafloor.h"
@@ -43,5 +44,14 @@ struct CoveragePicture {
   Box2 box;
 };
 [[nodiscard]] CoveragePicture coverage_picture(const CoverageGrid& grid, std::size_t budget);
+
+/// A map of each cell's TVU as a share of its limit; a pixel shows its worst cell.
+struct TvuPicture {
+  IndexedPicture picture;  ///< index 0: no sounding of a logged line; 1 + level otherwise
+  Box2 box;
+};
+/// Even steps up to the limit, and one level beyond it.
+inline constexpr int kTvuLevels = 11;
+[[nodiscard]] TvuPicture tvu_picture(const UncertaintyRaster& raster, std::uint32_t largest_side);
 
 }  // namespace swathplan::internal

@@ -79,8 +79,10 @@ std::string overall(const std::vector<ReportPlan>& plans) {
 std::string plain_list(const std::vector<ReportPlan>& plans) {
   std::string out;
   for (const ReportPlan& plan : plans) {
+    const std::string judged =
+        plan.judged != nullptr ? "It is " + sentence(plan.judged->verdict) + ". " : "";
     out += "<li><strong>" + escaped(plan.record->label) +
-           "</strong>: " + escaped(internal::verdict(*plan.score)) + "</li>";
+           "</strong>: " + escaped(judged + internal::verdict(*plan.score)) + "</li>";
   }
   return out;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "coverage/judging/judged_survey.h"
 #include "coverage/score.h"
 #include "io/results/plan_record.h"
 #include "io/results/provenance.h"
@@ -17,6 +18,7 @@ struct ReportPlan {
   const Score* score = nullptr;
   const CoverageGrid* grid = nullptr;
   double planning_seconds = 0.0;
+  const JudgedSurvey* judged = nullptr;  ///< by a criterion; null: it was not
 };
 
 /// Where the plans lie, in local metres. `seafloor` gives the frame, `depths` the map of depths.
@@ -28,11 +30,12 @@ struct ReportSite {
   Provenance provenance;
 };
 
-/// One self-contained page that opens offline. It shows side by side what each plan covers and
-/// misses; a map with path, regions and gates; what cannot be sailed as drawn, and why; all
-/// figures; the largest gaps; settings and provenance. Regions and gates are those of the last plan
-/// that has gates, else of the last one with regions. Pictures are scaled down, and paths
-/// simplified by less than a pixel, so that the page stays small.
+/// One self-contained page that opens offline. It says whether each plan is predicted to pass its
+/// criterion, where it was judged by one. It shows side by side what each plan covers and misses; a
+/// map with path, regions and gates; what cannot be sailed as drawn, and why; all figures; the
+/// largest gaps; settings and provenance. Regions and gates are those of the last plan that has
+/// gates, else of the last one with regions. Pictures are scaled down, and paths simplified by less
+/// than a pixel, so that the page stays small.
 [[nodiscard]] std::string report_html(const ReportSite& site, const std::vector<ReportPlan>& plans);
 
 /// Writes it to a file.

@@ -10,6 +10,7 @@
 #include "io/report/verdict_internal.h"
 #include "io/results/provenance_json.h"
 #include "io/results/score_figures.h"
+#include "io/results/verdict_json.h"
 #include "planners/pareto.h"
 
 namespace swathplan::internal {
@@ -20,6 +21,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kCoverageBudget = 3'300'000;  // bytes of PNG over all plans
 constexpr std::size_t kLargestPath = 30'000;        // points
 constexpr std::uint32_t kDepthSide = 900;           // pixels
+constexpr std::uint32_t kTvuSide = 700;             // pixels
 constexpr std::size_t kListedHolidays = 25;
 constexpr std::size_t kListedViolations = 100;
 constexpr std::size_t kListedCutOffs = 25;
@@ -261,6 +263,18 @@ Json legend_json() {
           {"empty_steps", kEmptySteps}};
 }
 
+Json criterion_json(const ReportPlan& plan, const Pen& pen, const Frame& frame) {
+  if (plan.judged == nullptr) return {};
+  Json criterion = verdict_json(*plan.judged, frame);
+  const TvuPicture tvu = tvu_picture(plan.judged->raster, kTvuSide);
+  criterion["tvu"] = {{"png", base64(png_bytes(tvu.picture))},
+                      {"box", pen.box(tvu.box)},
+                      {"columns", tvu.picture.columns},
+                      {"rows", tvu.picture.rows},
+                      {"palette", palette_json(tvu.picture.palette)}};
+  return criterion;
+}
+
 Json plan_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen, double tolerance_m,
                std::size_t budget) {
   const Frame& frame = site.seafloor->frame;
@@ -271,6 +285,7 @@ Json plan_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen, d
           {"warnings", warnings(*plan.score)},
           {"notes", plan.record->notes},
           {"planning_s", plan.planning_seconds},
+          {"criterion", criterion_json(plan, pen, frame)},
           {"figures", score_figures(*plan.score)},
           {"path", path_json(*plan.route, pen, tolerance_m)},
           {"holidays", holidays_json(plan.score->holidays, pen, frame)},

@@ -54,15 +54,22 @@ TEST(AreaRate, TellsWhatHoldsTheSpeed) {
   RateQuestion fast = open_sea();
   fast.max_speed_mps = 10.0;
   fast.soundings = 0.1;
-  EXPECT_EQ(area_rate(fast, 100.0, Angle::degrees(40))->limit, RateLimit::one_ping);
+  EXPECT_EQ(area_rate(fast, 100.0, Angle::degrees(40))->limit, RateLimit::ping_spacing);
 }
 
-TEST(AreaRate, PingsNoFasterThanTheSonarAndTwiceWithADualSwath) {
+TEST(AreaRate, PingsTwiceInACycleWithADualSwath) {
   RateQuestion question = open_sea();
-  EXPECT_DOUBLE_EQ(ping_interval_s(question, 1.0), 0.02);
-  EXPECT_DOUBLE_EQ(ping_interval_s(question, 135.0), 0.2);
-  question.fans_a_cycle = 2;
-  EXPECT_DOUBLE_EQ(ping_interval_s(question, 135.0), 0.1);
+  const double single = area_rate(question, 100.0, Angle::degrees(30))->ping_interval_s;
+  question.sonar.dual_swath = true;
+  const auto dual = area_rate(question, 100.0, Angle::degrees(30));
+  EXPECT_DOUBLE_EQ(dual->ping_interval_s, 0.5 * single);
+}
+
+TEST(AreaRate, EndsWithTheSonarsCoverageCurve) {
+  RateQuestion question = open_sea();
+  question.sonar.coverage_curve = {{10.0, Angle::degrees(60)}, {30.0, Angle::degrees(40)}};
+  EXPECT_NEAR(best_area_rate(question, 20.0)->half_angle.deg(), 50.0, 1e-6);
+  EXPECT_FALSE(area_rate(question, 20.0, Angle::degrees(51)));
 }
 
 TEST(AreaRate, SpreadsEquidistantBeamsEvenly) {

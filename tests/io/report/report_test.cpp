@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/base64.h"
+#include "io/sample_judged.h"
 #include "io/sample_plan.h"
 #include "mesh/base/error.h"
 #include "mesh/synthetic.h"
@@ -164,6 +165,21 @@ TEST(Report, CarriesTheChoicesOfAPlanner) {
   EXPECT_TRUE(data["plans"][1]["choices"]["list"].empty());
   for (Outcome& o : record.choices) o.cover = Cover::footprint;
   EXPECT_EQ(data_of(report_html(s.site(), s.plans()))["plans"][0]["choices"]["cover"], "footprint");
+}
+
+TEST(Report, OpensWithTheVerdictOfTheCriterion) {
+  const ReportSample s;
+  const JudgedSurvey judged = test::judged_survey();
+  std::vector<ReportPlan> plans = s.plans();
+  EXPECT_TRUE(data_of(report_html(s.site(), plans))["plans"][0]["criterion"].is_null());
+  plans[0].judged = &judged;
+  const std::string page = report_html(s.site(), plans);
+  const json criterion = data_of(page)["plans"][0]["criterion"];
+  EXPECT_EQ(criterion["predicted_to_pass"], false);
+  EXPECT_EQ(criterion["rules"].size(), 2U);
+  EXPECT_EQ(criterion["tvu"]["columns"], 3);
+  EXPECT_THAT(page, HasSubstr("It is predicted to fail IHO S-44 Special Order: coverage"));
+  EXPECT_LT(page.find("id=\"h-criterion\""), page.find("id=\"h-coverage\""));
 }
 
 TEST(Report, NeedsAPlan) {

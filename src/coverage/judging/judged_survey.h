@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "coverage/ground.h"
+#include "coverage/score.h"
+#include "coverage/standards/judge.h"
+#include "coverage/standards/uncertainty.h"
+
+namespace swathplan {
+
+/// The smallest uncertainty of each cell of a scoring grid; row 0 is the southernmost.
+struct UncertaintyRaster {
+  double cell_m = 1.0;
+  Vec2 origin = Vec2::Zero();  ///< lower-left corner, local metres
+  std::uint32_t columns = 0, rows = 0;
+  std::vector<float> tvu_m, thu_m;  ///< infinite where no sounding of a logged line fell
+  std::vector<float> tvu_share;     ///< smallest share of the TVU's limit
+};
+
+/// Soundings by the share of their TVU in its limit: from 0, each bin kTvuBin wide, the last one
+/// open.
+inline constexpr std::size_t kTvuBins = 21;
+inline constexpr double kTvuBin = 0.1;
+
+/// A survey as a criterion sees it before it is sailed.
+struct JudgedSurvey {
+  Verdict verdict;
+  UncertaintyRaster raster;
+  std::array<std::uint64_t, kTvuBins> tvu_histogram{};
+  std::uint64_t pings = 0, soundings = 0;  ///< of logged lines; soundings that fell in the area
+  std::uint64_t accepted = 0;              ///< of them, with TVU and THU within the limits
+  /// Of the area; no place in safe water shows it to the sonar, so it is not judged.
+  double out_of_reach_m2 = 0.0;
+};
+
+struct JudgingOptions {
+  /// The ground between the points of the seafloor's data is known to be smooth: it may be judged
+  /// on finer cells than they show.
+  bool smooth_seafloor = false;
+  JudgeOptions rules;
+};
+
+/// Judges routes over one ground by one criterion; what costs nothing but ground is made once.
+class SurveyJudge {
+ public:
+  /// Keeps what `ground` points to, and the criterion.
+  /// @throws UsageError if the budget lacks a deviation, if the criterion's cells are finer than
+  /// the
+  ///   seafloor's data and smooth_seafloor is not set, or if there are too many of them.
+  SurveyJudge(const Ground& ground, const Criterion& criterion, const UncertaintyBudget& budget,
+              const JudgingOptions& options = {});
+
+  /// Traces the logged pings of the route and judges their soundings, on the criterion's own grids.
+  /// `scoring` says how pings fall, with which tracking errors, and on which cells the raster lies.
+  /// Guarantees: the same result for any number of threads.
+  /// @throws InvalidInput for a route that is not valid or an area without a cell.
+  [[nodiscard]] JudgedSurvey judge(const Route& route, const Sonar& sonar, const Vehicle& vehicle,
+                                   const ScoreOptions& scoring) const;
+
+ private:
+  Ground ground_;
+  const Criterion* criterion_;
+  UncertaintyModel model_;
+  JudgingOptions options_;
+  std::vector<JudgedGrid> grids_;  ///< without soundings
+};
+
+}  // namespace swathplan
