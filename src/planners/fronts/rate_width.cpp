@@ -9,7 +9,6 @@ RateQuestion rate_question(const PlanOptions& options, double stretch) {
   RateQuestion question;
   question.sonar = options.sonar;
   question.max_half_angle = options.sonar.max_opening / 2.0;
-  question.fans_a_cycle = options.sonar.dual_swath ? 2 : 1;
   question.cell_m = stretch * options.resolution_m;
   question.soundings = stretch * stretch * options.soundings;
   question.max_speed_mps = options.vehicle.speed_mps;

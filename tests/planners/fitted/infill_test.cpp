@@ -42,10 +42,10 @@ TEST(Infill, CountsWhatFootprintsCoverWhereTheyAreAskedFor) {
   Gap gap;
   gap.options.cover = Cover::footprint;
   LineWorkshop shop(gap.ground, gap.options);
-  const Score before = shop.score(gap.route).score;
+  const ScoredRoute before = shop.score(gap.route);
   const InfilledRoute filled = infilled(gap.route, gap.ground, gap.options);
-  const Score after = shop.score(filled.built.route).score;
-  EXPECT_EQ(shop.cover_pct(before), before.all.footprint_pct.value());
+  const ScoredRoute after = shop.score(filled.built.route);
+  EXPECT_EQ(shop.cover_pct(before), before.score.all.footprint_pct.value());
   EXPECT_LT(shop.cover_pct(before), 60.0);
   EXPECT_GT(shop.cover_pct(after), 97.0);
 }
