@@ -15,6 +15,9 @@ namespace swathplan {
 /// `adapt accordion|spacing|quality simulate|study|live`.
 [[nodiscard]] Command adapt_command();
 
+/// `man`: writes the manual and the bash completion of the other commands. Hidden.
+[[nodiscard]] Command man_command(const std::string& what, const std::vector<Command>& commands);
+
 /// The program's version, and those of the libraries that it runs with, one a line.
 [[nodiscard]] std::string version_text();
 

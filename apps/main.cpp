@@ -19,10 +19,17 @@ int complain(const std::string& what, int code) {
   return code;
 }
 
+constexpr const char* kWhat =
+    "Offline hydrographic survey designer: plans routes and predicts their coverage.";
+
 std::vector<swathplan::Command> all_commands() {
   using namespace swathplan;
-  return {inspect_command(), synth_command(), plan_command(),   compare_command(),
-          lines_command(),   score_command(), export_command(), adapt_command()};
+  std::vector<Command> commands{
+      inspect_command(), synth_command(), plan_command(),
+      compare_command(), lines_command(), score_command(),
+      export_command(),  adapt_command()};
+  commands.push_back(man_command(kWhat, commands));
+  return commands;
 }
 
 }  // namespace
@@ -30,9 +37,7 @@ std::vector<swathplan::Command> all_commands() {
 int main(int argc, char** argv) {
   swathplan::keep_freed_memory();
   try {
-    return swathplan::run_commands(
-        "Offline hydrographic survey designer: plans routes and predicts their coverage.",
-        swathplan::version_text, all_commands(), argc, argv);
+    return swathplan::run_commands(kWhat, swathplan::version_text, all_commands(), argc, argv);
   } catch (const swathplan::UsageError& e) {
     return complain(swathplan::in_flags(e), kUsageError);
   } catch (const std::bad_alloc&) {
