@@ -27,7 +27,7 @@ std::vector<swathplan::Command> all_commands() {
   std::vector<Command> commands{
       inspect_command(), synth_command(), plan_command(),
       compare_command(), lines_command(), score_command(),
-      export_command(),  adapt_command()};
+      export_command(),  adapt_command(), demo_command(compare_command())};
   commands.push_back(man_command(kWhat, commands));
   return commands;
 }
