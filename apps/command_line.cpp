@@ -23,19 +23,6 @@ struct Registered {
   CLI::Option* typed;
 };
 
-/// What the help writes for the value of a row.
-std::string type_name(const Option& option) {
-  if (!option.choices.empty()) return fmt::format("{{{}}}", fmt::join(option.choices, ","));
-  if (std::holds_alternative<int*>(option.slot) ||
-      std::holds_alternative<std::optional<int>*>(option.slot)) {
-    return "INT";
-  }
-  if (std::holds_alternative<std::uint64_t*>(option.slot)) return "UINT";
-  const bool real = std::holds_alternative<double*>(option.slot) ||
-                    std::holds_alternative<std::optional<double>*>(option.slot);
-  return real && option.words.empty() ? "FLOAT" : "TEXT";
-}
-
 CLI::Option* registered(CLI::App& app, const Option& row) {
   // CLI11 hides options without a group.
   const std::string group = row.group.empty() ? "Options" : row.group;
@@ -170,6 +157,7 @@ void run_in_flags(const std::vector<Registered>& rows, const std::function<void(
 
 void add(CLI::App& app, const Command& command, const OptionTable& of_all_commands) {
   CLI::App* sub = app.add_subcommand(command.name, command.what);
+  if (command.hidden) sub->group("");
   if (!command.commands.empty()) {
     sub->require_subcommand(1);
     for (const Command& below : command.commands) add(*sub, below, of_all_commands);
@@ -202,7 +190,7 @@ void check_command(const std::vector<Command>& commands, int argc, const char* c
   std::vector<std::string> names;
   for (const Command& command : commands) {
     if (command.name == argv[1]) return;
-    names.push_back(command.name);
+    if (!command.hidden) names.push_back(command.name);
   }
   throw UsageError(
       fmt::format("'{}' is not a command; choose one of {}", argv[1], fmt::join(names, ", ")));

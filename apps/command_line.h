@@ -15,6 +15,7 @@ struct Command {
   OptionTable options;
   std::function<void()> run;
   std::vector<Command> commands;  ///< below this one, which then does nothing itself
+  bool hidden = false;            ///< not in the help: for those who build the program
 };
 
 /// Fills and checks the options of the command that is asked for and runs it. What is typed goes

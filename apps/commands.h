@@ -23,6 +23,11 @@ class PredictedToFail : public std::runtime_error {
 /// `adapt accordion|spacing|quality simulate|study|live`.
 [[nodiscard]] Command adapt_command();
 
+/// `demo`: runs `compare` on a seafloor that comes with the program.
+[[nodiscard]] Command demo_command(Command compare);
+/// `man`: writes the manual and the bash completion of the other commands. Hidden.
+[[nodiscard]] Command man_command(const std::string& what, const std::vector<Command>& commands);
+
 /// The program's version, and those of the libraries that it runs with, one a line.
 [[nodiscard]] std::string version_text();
 

@@ -20,10 +20,17 @@ int complain(const std::string& what, int code) {
   return code;
 }
 
+constexpr const char* kWhat =
+    "Offline hydrographic survey designer: plans routes and predicts their coverage.";
+
 std::vector<swathplan::Command> all_commands() {
   using namespace swathplan;
-  return {inspect_command(), synth_command(), plan_command(),   compare_command(),
-          lines_command(),   score_command(), export_command(), adapt_command()};
+  std::vector<Command> commands{
+      inspect_command(), synth_command(), plan_command(),
+      compare_command(), lines_command(), score_command(),
+      export_command(),  adapt_command(), demo_command(compare_command())};
+  commands.push_back(man_command(kWhat, commands));
+  return commands;
 }
 
 }  // namespace
@@ -31,9 +38,7 @@ std::vector<swathplan::Command> all_commands() {
 int main(int argc, char** argv) {
   swathplan::keep_freed_memory();
   try {
-    return swathplan::run_commands(
-        "Offline hydrographic survey designer: plans routes and predicts their coverage.",
-        swathplan::version_text, all_commands(), argc, argv);
+    return swathplan::run_commands(kWhat, swathplan::version_text, all_commands(), argc, argv);
   } catch (const swathplan::UsageError& e) {
     return complain(swathplan::in_flags(e), kUsageError);
   } catch (const swathplan::PredictedToFail& e) {

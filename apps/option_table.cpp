@@ -348,6 +348,18 @@ std::optional<OptionValue> value_of(const Option& option) {
       option.slot);
 }
 
+std::string type_name(const Option& option) {
+  if (!option.choices.empty()) return fmt::format("{{{}}}", fmt::join(option.choices, ","));
+  if (std::holds_alternative<int*>(option.slot) ||
+      std::holds_alternative<std::optional<int>*>(option.slot)) {
+    return "INT";
+  }
+  if (std::holds_alternative<std::uint64_t*>(option.slot)) return "UINT";
+  const bool real = std::holds_alternative<double*>(option.slot) ||
+                    std::holds_alternative<std::optional<double>*>(option.slot);
+  return real && option.words.empty() ? "FLOAT" : "TEXT";
+}
+
 std::string default_text(const Option& option) {
   for (const auto& [word, value] : option.words) {
     if (const auto* slot = std::get_if<double*>(&option.slot); slot != nullptr && **slot == value) {

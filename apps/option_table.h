@@ -120,6 +120,8 @@ void set(const Option& option, const std::vector<std::string>& typed);
 void check(const Option& option);
 /// The value; empty for an optional one without. Files are named without their folders.
 [[nodiscard]] std::optional<OptionValue> value_of(const Option& option);
+/// What the help writes in the place of a value: "{hit,footprint}", "FLOAT".
+[[nodiscard]] std::string type_name(const Option& option);
 /// The value for the help; empty if there is nothing to say.
 [[nodiscard]] std::string default_text(const Option& option);
 

@@ -1,4 +1,5 @@
-# Everything comes from Debian 12; nothing is fetched at configure time.
+# Everything comes from Debian 12; nothing is fetched at configure time. The installed CMake package
+# reads this file too.
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL 5.5 REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
@@ -19,7 +20,7 @@ find_library(OPENCV_CORE_LIBRARY opencv_core REQUIRED)
 find_library(OPENCV_IMGPROC_LIBRARY opencv_imgproc REQUIRED)
 find_library(OPENCV_IMGCODECS_LIBRARY opencv_imgcodecs REQUIRED)
 find_library(OPENCV_ML_LIBRARY opencv_ml REQUIRED)
-add_library(swathplan_opencv INTERFACE)
+add_library(swathplan_opencv INTERFACE IMPORTED)
 target_include_directories(swathplan_opencv SYSTEM INTERFACE ${OPENCV_INCLUDE_DIR})
 target_link_libraries(swathplan_opencv INTERFACE
   ${OPENCV_IMGCODECS_LIBRARY} ${OPENCV_ML_LIBRARY} ${OPENCV_IMGPROC_LIBRARY} ${OPENCV_CORE_LIBRARY})

@@ -9,6 +9,7 @@
 # every file against them). FOREIGN libraries stay private: their headers appear in .cpp files only.
 define_property(GLOBAL PROPERTY SWATHPLAN_ROOMS
   BRIEF_DOCS "Lines 'room: room room ...' of all arrows that were declared")
+define_property(GLOBAL PROPERTY SWATHPLAN_LIBRARIES BRIEF_DOCS "The targets of all rooms of src/")
 
 # swathplan_room_target(OUT ROOM): the CMake target of a room.
 function(swathplan_room_target out room)
@@ -27,13 +28,18 @@ function(swathplan_room room)
   swathplan_arrows(${room} ${ARG_USES})
   swathplan_room_target(target ${room})
   add_library(${target} STATIC ${ARG_SOURCES})
-  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+    $<INSTALL_INTERFACE:include/swathplan>)
+  target_compile_features(${target} PUBLIC cxx_std_20)
   foreach(used IN LISTS ARG_USES)
     swathplan_room_target(used_target ${used})
     target_link_libraries(${target} PUBLIC ${used_target})
   endforeach()
-  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE swathplan_options fmt::fmt
-    ${ARG_FOREIGN})
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen
+    PRIVATE $<BUILD_INTERFACE:swathplan_options> fmt::fmt ${ARG_FOREIGN})
+  string(REPLACE swathplan_ "" exported ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${exported})
+  set_property(GLOBAL APPEND PROPERTY SWATHPLAN_LIBRARIES ${target})
   swathplan_unity(${target})
 endfunction()
 
