@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "io/files/text.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
@@ -41,6 +42,7 @@ std::string without_comment(const std::string& line) {
 
 /// The values of TOML that options need are written as in JSON, but for texts between ''.
 Json toml_value(const std::string& text) {
+  if (nesting_of_json(text) > kMostNesting) return Json(Json::value_t::discarded);
   if (text.size() >= 2 && text.front() == '\'' && text.back() == '\'') {
     return text.substr(1, text.size() - 2);
   }
@@ -75,7 +77,7 @@ Json read_toml(const std::string& text, const std::string& file) {
 }
 
 Json read_json(const std::string& text, const std::string& file) {
-  Json json = Json::parse(text, nullptr, false);
+  Json json = nesting_of_json(text) > kMostNesting ? Json() : Json::parse(text, nullptr, false);
   if (!json.is_object()) {
     throw UsageError(
         fmt::format("'{}' is no JSON object with options, as score.json and plan.json are", file));

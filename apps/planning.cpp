@@ -146,6 +146,14 @@ std::optional<JudgedSurvey> Scorer::judge(const std::string& label, const Route&
   return judge_->judge(route, survey_->sonar, survey_->vehicle, options);
 }
 
+void note_beyond_data(const Score& score, std::vector<std::string>& notes) {
+  if (!(score.pinging.beyond_data_m > 0.0)) return;
+  notes.push_back(fmt::format(
+      "{:.0f} m of the route lie farther from all data than the sonar's range; they were scored "
+      "without pings",
+      score.pinging.beyond_data_m));
+}
+
 void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
                     std::vector<std::string>& notes) {
   std::string note = endurance_note(figures, vehicle);

@@ -60,6 +60,9 @@ class Scorer {
   bool quiet_;
 };
 
+/// Adds a note if the route runs on where the sonar reaches no data.
+void note_beyond_data(const Score& score, std::vector<std::string>& notes);
+
 /// Adds a note if the mission does not fit into the vehicle's endurance.
 void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
                     std::vector<std::string>& notes);

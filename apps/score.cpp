@@ -108,6 +108,7 @@ void run(const ScoreCommand& command) {
   plan.notes.insert(plan.notes.end(), route.notes.begin(), route.notes.end());
   const Scorer scorer(*site, survey, command.output.quiet);
   ScoredRoute scored = scorer.score("score", plan.route);
+  note_beyond_data(scored.score, plan.notes);
   note_endurance(scored.score.route, vehicle, plan.notes);
   std::vector<PlannedSurvey> surveys;
   const std::string name = command.route.filename().string();

@@ -18,6 +18,9 @@ constexpr double kWorthSaying = 1.0;
 /// this many metres. Positions are not known better.
 constexpr double kRoundingShare = 0.1;
 constexpr double kLeastRounding = 0.05;
+/// ... or to more, up to this, where so little leaves thousands of corners: the ripples of a
+/// digitised shoreline.
+constexpr double kMostRounding = 0.5;
 
 /// "3 pieces; the largest: 120 m2 about (x, y), ...", in the file's coordinates.
 std::string pieces(Area area, const Frame& frame) {
@@ -79,6 +82,7 @@ Area imported_area(Site& site, const SiteOptions& options, const std::filesystem
                    .buffer_m = options.buffer_m,
                    .layers = options.layers,
                    .tolerance_m = std::max(kLeastRounding, kRoundingShare * clearance_m),
+                   .most_tolerance_m = kMostRounding,
                    .rounding = rounding});
   for (const std::string& note : read.notes) site.notes.push_back(in_flags(note));
   return std::move(read.area);

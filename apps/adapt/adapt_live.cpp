@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "io/files/text.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
@@ -84,6 +85,10 @@ std::vector<SurveyTrack> run_live(std::istream& in, std::ostream& out, const Sur
   while (std::getline(in, line)) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
+      if (nesting_of_json(line) > kMostNesting) {
+        throw InvalidInput(
+            fmt::format("the message is JSON nested deeper than {} levels", kMostNesting));
+      }
       const auto message = nlohmann::json::parse(line);
       const bool repeat = message.is_object() && message.value("repeat", false);
       const bool observed = message.is_object() && message.contains("track");

@@ -126,6 +126,16 @@ void fill_figures(const Tally& t, bool footprint, Score& score) {
       t.hit > 0 ? static_cast<double>(score.soundings) / static_cast<double>(t.hit) - 1.0 : 0.0;
 }
 
+// Where a ping can see data at all.
+Box2 within_reach(const Ground& ground, const Sonar& sonar, const TrackNoise& noise) {
+  constexpr double kFarthest = 10.0;  // of a boat from its track, in standard deviations
+  const double reach = sonar.max_range_m + kFarthest * noise.lateral_sigma_m;
+  Box2 box = extent(*ground.seafloor);
+  box.min.array() -= reach;
+  box.max.array() += reach;
+  return box;
+}
+
 // A batch of blocks of pings on their way through the scorer.
 struct Batch {
   std::vector<std::vector<Ping>> pings;
@@ -140,7 +150,8 @@ class Scorer {
          const ScoreOptions& options, tbb::task_arena& arena, CoverageGrid& grid)
       : options_(options),
         grid_(grid),
-        walker_(route, sonar, options.pings, options.noise),
+        walker_(route, sonar, options.pings, options.noise,
+                within_reach(ground, sonar, options.noise)),
         arena_(arena),
         bands_{bands_for(arena_.max_concurrency())},
         tracers_([&ground, &sonar, draft_m, &grid, &options, bands = bands_] {

@@ -59,6 +59,7 @@ struct ScoredRoute {
 /// Traces every beam of every ping of the route against the ground's scene, and counts. The scene
 /// must be there. A sounding counts in the cell that it falls in, as far as the sonar's range and
 /// coverage curve reach.
+/// Stretches of the route beyond the sonar's range of all data give no pings (beyond_data_m).
 /// The footprint of a beam is a rectangle about its sounding, along and across the course.
 /// Along, its length is 2 range tan(beam width / 2). Across, it reaches to either side by
 /// range x stretch x half of the beam width or of the angle to the neighbouring beam, whichever is

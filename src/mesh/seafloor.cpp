@@ -73,6 +73,7 @@ Angle slope(const Seafloor& seafloor, std::uint32_t face) {
 
 struct DepthQuery::Impl {
   const Seafloor* seafloor = nullptr;
+  Box2 bounds;
   Vec2 origin = Vec2::Zero();
   double cell = 1.0;
   std::int64_t columns = 1, rows = 1;
@@ -143,12 +144,14 @@ void DepthQuery::Impl::fill_vertices() {
 
 DepthQuery::DepthQuery(const Seafloor& seafloor) : impl_(std::make_unique<Impl>()) {
   impl_->seafloor = &seafloor;
-  const Box2 box = extent(seafloor);
-  if (box.empty()) throw InvalidInput("the seafloor has no vertices");
-  impl_->size_buckets(box, seafloor.faces.size());
+  impl_->bounds = swathplan::extent(seafloor);
+  if (impl_->bounds.empty()) throw InvalidInput("the seafloor has no vertices");
+  impl_->size_buckets(impl_->bounds, seafloor.faces.size());
   impl_->fill_faces();
   impl_->fill_vertices();
 }
+
+const Box2& DepthQuery::extent() const { return impl_->bounds; }
 
 DepthQuery::~DepthQuery() = default;
 DepthQuery::DepthQuery(DepthQuery&&) noexcept = default;

@@ -43,6 +43,8 @@ class DepthQuery {
   DepthQuery(DepthQuery&&) noexcept;
   DepthQuery& operator=(DepthQuery&&) noexcept;
 
+  /// Of the seafloor.
+  [[nodiscard]] const Box2& extent() const;
   /// Depth below `p`, metres, positive down. Where faces lie above each other it is the shoalest.
   /// Empty where there is no seafloor.
   [[nodiscard]] std::optional<double> depth(const Vec2& p) const;

@@ -170,6 +170,29 @@ TEST(BadLinesOptions, NameOptionValueAndRule) {
   expect_refusal(folder, "lines nothing.asc -o out", 1, {"nothing.asc"});
 }
 
+TEST(BadRoutes, WithoutEndOrBottom) {
+  const Folder folder;
+  const std::string score = "score " + dataset("saddle.asc") + " ";
+  expect_refusal(folder, score + "/dev/zero -o out", 1, {"/dev/zero", "no regular file"});
+  expect_refusal(folder, plan("/dev/zero"), 1, {"/dev/zero", "device"});
+  const std::string deep = R"({"type": "Feature", "properties": {"a": )" +
+                           std::string(100000, '[') + std::string(100000, ']') + "}}";
+  folder.write("deep.geojson", deep);
+  expect_refusal(folder, score + "deep.geojson -o out", 1, {"deep.geojson", "100002 levels"});
+  expect_refusal(folder, "export deep.geojson --format gpx -o out", 1, {"deep.geojson", "levels"});
+  folder.write("deep.json", deep);
+  expect_refusal(folder, plan(dataset("saddle.asc"), "--config deep.json"), 2, {"deep.json"});
+}
+
+TEST(BadRoutes, ALegFarBeyondTheDataIsScoredAndSaid) {
+  const Folder folder;
+  folder.write("far.csv", "x,y,port_deg,stbd_deg\n0,0,45,45\n20,0,45,45\n1e9,0,45,45\n");
+  const Run run = folder.run("score " + dataset("saddle.asc") + " far.csv --resolution 1 -o far");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("farther from all data than the sonar's range"), std::string::npos)
+      << run.err;
+}
+
 TEST(BadRoutes, NameFileAndRow) {
   const Folder folder;
   const std::string file = dataset("saddle.asc");

@@ -48,8 +48,13 @@ Vec2 clockwise(const Vec2& v, double angle) {
 }  // namespace
 
 PingWalker::PingWalker(const Route& route, const Sonar& sonar, const PingTiming& timing,
-                       const TrackNoise& noise)
-    : route_(&route), sonar_(&sonar), timing_(timing), noise_(noise), random_(noise.seed) {
+                       const TrackNoise& noise, const std::optional<Box2>& reach)
+    : route_(&route),
+      sonar_(&sonar),
+      timing_(timing),
+      noise_(noise),
+      reach_(reach),
+      random_(noise.seed) {
   swathplan::check(sonar, timing);
   check(noise);
   if (route.waypoints.size() < 2) return;
@@ -130,6 +135,29 @@ double PingWalker::advance(const std::vector<Ping>& block, bool pinged,
   return after_seconds(ping_interval_s(*sonar_, timing_, range_));
 }
 
+// Goes on to the last ping that is due before the rest of the segment reaches data, or before its
+// end where it never does. False where that is this ping.
+bool PingWalker::skip_to_reach() {
+  if (!reach_ || !(segment_length_ > 0)) return false;
+  const Vec2& from = route_->waypoints[segment_].position;
+  const Vec2& to = route_->waypoints[segment_ + 1].position;
+  const double along = std::clamp((at_ - segment_start_) / segment_length_, 0.0, 1.0);
+  const auto part = clipped(from + along * (to - from), to, *reach_);
+  if (part && part->first <= 0.0) return false;
+  const double ends = segment_start_ + segment_length_;
+  const double until = part ? at_ + part->first * (ends - at_) : ends;
+  const double step = timing_.spacing_m ? timing_.thinning * *timing_.spacing_m
+                                        : route_->waypoints[segment_].speed_mps *
+                                              ping_interval_s(*sonar_, timing_, range_);
+  const double pings = std::floor((until - at_) / step);
+  if (!(pings > 1.0)) return false;
+  index_ += static_cast<std::uint64_t>(pings);
+  const double next = timing_.spacing_m ? static_cast<double>(index_) * step : at_ + pings * step;
+  figures_.beyond_data_m += next - at_;
+  at_ = next;
+  return true;
+}
+
 bool PingWalker::next(std::size_t count, std::vector<Ping>& block,
                       const FarthestSounding& farthest) {
   block.clear();
@@ -139,6 +167,7 @@ bool PingWalker::next(std::size_t count, std::vector<Ping>& block,
            at_ >= segment_start_ + segment_length_ - kPathDust) {
       enter_next_segment();
     }
+    if (skip_to_reach()) continue;
     const bool pinged = push(block);
     const double here = at_;
     ++index_;

@@ -3,12 +3,14 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <random>
 #include <vector>
 
 #include "coverage/route/ping_clock.h"
 #include "coverage/route/route.h"
 #include "coverage/route/sonar.h"
+#include "mesh/plane/box.h"
 
 namespace swathplan {
 
@@ -50,6 +52,7 @@ struct PingFigures {
   /// Intervals that the way of the sound sets; the others follow the sonar's largest ping rate.
   std::uint64_t sound_bound = 0;
   double longest_range_m = 0.0;  ///< of all soundings, where pings go by the clock
+  double beyond_data_m = 0.0;    ///< path without pings, since it lies beyond their reach of data
 };
 
 /// Walks along the route and gives its pings in order, a block at a time, so that a long route
@@ -67,8 +70,10 @@ class PingWalker {
   static constexpr double kPathDust = 1e-6;  ///< metres of path
   /// @throws UsageError for a timing that cannot be, a correlation length that is not > 0, or a
   ///   negative sigma.
+  /// `reach`: pings elsewhere can sound nothing, so that whole stretches beyond it are skipped;
+  /// empty: none are. A stray waypoint would else cost billions of pings.
   PingWalker(const Route& route, const Sonar& sonar, const PingTiming& timing,
-             const TrackNoise& noise);
+             const TrackNoise& noise, const std::optional<Box2>& reach = {});
   /// Fills `block` with the next pings, at most `count`. False when none is left. By the clock
   /// `farthest` is asked once for each ping, in order, since the next ping depends on it. With a
   /// fixed spacing it is not asked and may be empty.
@@ -81,6 +86,7 @@ class PingWalker {
  private:
   void step_noise(double sailed_m);
   bool push(std::vector<Ping>& block) const;
+  bool skip_to_reach();
   void enter_next_segment();
   [[nodiscard]] double advance(const std::vector<Ping>& block, bool pinged,
                                const FarthestSounding& farthest);
@@ -90,6 +96,7 @@ class PingWalker {
   const Sonar* sonar_;
   PingTiming timing_;
   TrackNoise noise_;
+  std::optional<Box2> reach_;
   std::vector<std::uint32_t> leg_of_segment_;
   std::size_t segment_ = 0;
   std::uint64_t index_ = 0;

@@ -125,6 +125,12 @@ DepthsBelow depths_below(const std::vector<Vec2>& points, const Area& water,
                          const DepthQuery& depths) {
   const AreaQuery query(water);
   DepthsBelow below;
+  // Beyond data and water there is nothing to look at, however long a leg runs there.
+  Box2 known = depths.extent();
+  if (!water.empty()) {
+    known.extend(extent(water).min);
+    known.extend(extent(water).max);
+  }
   // Each look-up stands for `length` metres of path.
   const auto look = [&](const Vec2& p, double length) {
     if (const auto depth = depths.depth(p)) {
@@ -136,7 +142,13 @@ DepthsBelow depths_below(const std::vector<Vec2>& points, const Area& water,
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Vec2 way = points[i + 1] - points[i];
     const double steps = std::ceil(way.norm() / kDepthStepM);
-    for (double k = 0; k < steps; ++k) look(points[i] + k / steps * way, way.norm() / steps);
+    const auto part = clipped(points[i], points[i + 1], known);
+    // Two looks more than needed on either side, against rounding.
+    const double first = part ? std::max(0.0, std::floor(part->first * steps) - 2.0) : steps;
+    const double last = part ? std::min(steps, std::ceil(part->second * steps) + 2.0) : steps;
+    for (double k = first; k < last; ++k) look(points[i] + k / steps * way, way.norm() / steps);
+    const double apart = first + (steps - last);
+    if (apart > 0.0) below.unknown_m += apart * way.norm() / steps;
   }
   if (!points.empty()) look(points.back(), 0.0);
   return below;

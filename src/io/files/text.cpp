@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -16,6 +17,21 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
 
+/// The bytes of what is no regular file.
+std::string streamed(std::istream& in, const std::filesystem::path& path) {
+  std::string text;
+  std::array<char, 1 << 16> buffer;
+  while (in.read(buffer.data(), buffer.size()) || in.gcount() > 0) {
+    text.append(buffer.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() <= kMostStreamed) continue;
+    throw InvalidInput(
+        fmt::format("'{}' is no regular file and gives more than {} MiB; save what it gives to a "
+                    "file and name that",
+                    path.string(), kMostStreamed >> 20));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string read_text(const std::filesystem::path& path) {
@@ -28,12 +44,32 @@ std::string read_text(const std::filesystem::path& path) {
     throw InvalidInput(
         fmt::format("cannot read '{}': check the name and the permissions", path.string()));
   }
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const std::string text = std::filesystem::is_regular_file(path, error)
+                               ? std::string{std::istreambuf_iterator<char>(in), {}}
+                               : streamed(in, path);
   if (trim(text).empty()) throw InvalidInput(fmt::format("'{}' is empty", path.string()));
   if (text.find('\0') != std::string::npos) {
     throw InvalidInput(fmt::format("'{}' is not a text file", path.string()));
   }
   return text;
+}
+
+std::size_t nesting_of_json(std::string_view text) {
+  std::size_t depth = 0, deepest = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && (c == '[' || c == '{')) {
+      deepest = std::max(deepest, ++depth);
+    } else if (!quoted && (c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+  return deepest;
 }
 
 std::string_view trim(std::string_view text) {

@@ -9,9 +9,20 @@
 
 namespace swathplan {
 
+/// What is read of pipes and devices, bytes: some of them never end.
+inline constexpr std::size_t kMostStreamed = std::size_t{64} << 20;
+
 /// The whole file.
-/// @throws InvalidInput if it cannot be read, is empty or is not text.
+/// @throws InvalidInput if it cannot be read, is empty or is not text, or if it is no regular file
+///   and gives more than kMostStreamed.
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
+
+/// How deep brackets and braces stand in one another in JSON, texts between quotation marks aside.
+[[nodiscard]] std::size_t nesting_of_json(std::string_view text);
+
+/// JSON of files and messages is nested no deeper than this: what is deeper is no file of this
+/// trade, and readers that call themselves for each level would run out of stack.
+inline constexpr std::size_t kMostNesting = 64;
 
 /// `text` without the blanks at both ends. A view into `text`.
 [[nodiscard]] std::string_view trim(std::string_view text);

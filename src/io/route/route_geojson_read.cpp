@@ -252,6 +252,12 @@ class Properties {
 };
 
 Json parse(std::string_view text, const std::string& file) {
+  if (const std::size_t levels = nesting_of_json(text); levels > kMostNesting) {
+    throw InvalidInput(
+        fmt::format("'{}' is JSON nested {} levels deep, and no route needs more than {}; write it "
+                    "as GeoJSON or CSV",
+                    file, levels, kMostNesting));
+  }
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {

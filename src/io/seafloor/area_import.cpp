@@ -238,16 +238,34 @@ Area united(const std::vector<Area>& parts) {
 
 struct Shapes {
   std::vector<Area> parts;  ///< polygons, then buffers
+  double within_m = 0.0;    ///< the largest tolerance of those simplified
   std::size_t simplified = 0, corners_before = 0, corners_after = 0;
   std::size_t polygons = 0, lines = 0, points = 0, off_the_data = 0;
 };
+
+/// The tolerance that leaves few enough corners, as far as the options allow.
+double tolerance_of(const std::vector<Ring>& rings, const AreaImportOptions& options) {
+  double tolerance = std::max(options.tolerance_m, kLeastTolerance);
+  const auto corners_left = [&] {
+    std::size_t corners = 0;
+    // About the share of the tolerance that bracket() gives its chords.
+    for (const Ring& ring : rings) corners += few_corners(ring, tolerance / 3.0).size();
+    return corners;
+  };
+  while (2.0 * tolerance <= options.most_tolerance_m && corners_left() > kFewEnough) {
+    tolerance *= 2.0;
+  }
+  return tolerance;
+}
 
 /// A polygon as an area, with fewer corners if it has very many.
 Area area_of(const std::vector<Ring>& rings, const AreaImportOptions& options, Shapes& shapes) {
   if (!(options.tolerance_m > 0.0) || corners_of(rings) <= kManyCorners) {
     return from_rings(rings, false);
   }
-  Bracket both = bracket(rings, std::max(options.tolerance_m, kLeastTolerance));
+  const double tolerance = tolerance_of(rings, options);
+  shapes.within_m = std::max(shapes.within_m, tolerance);
+  Bracket both = bracket(rings, tolerance);
   Area area = std::move(options.rounding == Rounding::within ? both.within : both.around);
   ++shapes.simplified;
   shapes.corners_before += corners_of(rings);
@@ -303,7 +321,7 @@ std::vector<std::string> notes_on(const Shapes& shapes, const AreaImportOptions&
   if (shapes.simplified > 0) {
     notes.push_back(fmt::format(
         "'{}': {} corners were simplified to {}, within {:g} m; the area used {} the file's", file,
-        shapes.corners_before, shapes.corners_after, std::max(options.tolerance_m, kLeastTolerance),
+        shapes.corners_before, shapes.corners_after, shapes.within_m,
         options.rounding == Rounding::within ? "lies inside" : "contains"));
   }
   return notes;
@@ -329,7 +347,7 @@ ImportedArea import_area(const fs::path& path, const Frame& frame,
   result.area = united(shapes.parts);
   if (result.area.empty() && shapes.simplified > 0) {
     throw InvalidInput(fmt::format("no part of the polygons of '{}' is wider than {:g} m",
-                                   path.string(), 2.0 * options.tolerance_m));
+                                   path.string(), 2.0 * shapes.within_m));
   }
   if (result.area.empty()) {
     throw InvalidInput(fmt::format("the polygons of '{}' have no area", path.string()));

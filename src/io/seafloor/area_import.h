@@ -24,11 +24,15 @@ struct AreaImportOptions {
   /// A polygon of more than kManyCorners is replaced by one whose outline lies within this of its
   /// own, metres. 0: every corner counts, whatever it costs.
   double tolerance_m = 0.0;
+  /// Where that leaves more than kFewEnough corners, the tolerance is doubled up to this, metres.
+  double most_tolerance_m = 0.0;
   Rounding rounding = Rounding::within;
 };
 
 /// Outlines of up to this many corners are taken as they are.
 inline constexpr std::size_t kManyCorners = 1000;
+/// What is simplified should have no more corners than this.
+inline constexpr std::size_t kFewEnough = 3000;
 
 /// Polygons of a file, united, and what of the file is not in them.
 struct ImportedArea {

@@ -65,6 +65,10 @@ void check_file(const fs::path& path) {
     throw InvalidInput(
         fmt::format("'{}' is a folder; name the seafloor file in it", path.string()));
   }
+  if (fs::is_character_file(status) || fs::is_block_file(status)) {
+    throw InvalidInput(
+        fmt::format("'{}' is a device; name a file that holds a seafloor", path.string()));
+  }
   if (fs::file_size(path, error) == 0 && !error) {
     throw InvalidInput(fmt::format("'{}' is empty", path.string()));
   }

@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 
-#include "mesh/plane/area_query.h"
 #include "planners/steering/line_poses.h"
 #include "planners/steering/pose_search.h"
+#include "planners/steering/safe_water.h"
 #include "planners/steering/taut_way_internal.h"
+#include "planners/steering/water_distances.h"
 #include "planners/steering/water_path.h"
 
 namespace swathplan {
@@ -33,6 +35,10 @@ constexpr std::size_t kTries = 3;
 /// before a wall with poses until it may take no more. Only a search in stages finds the way
 /// around.
 constexpr double kMisled = 5.0;
+/// A wall thinner than a turning circle misleads it likewise: places behind the wall lie near the
+/// way on this side. There distances through the water lead, if the way around is this many times
+/// as long as the straight one.
+constexpr double kDetour = 1.5;
 
 Pose turned_back(const Pose& pose) { return {pose.position, -pose.course}; }
 
@@ -44,7 +50,7 @@ struct Cut {
 /// The poses at which a line may be left, the one with the smallest cut first. For a line turned
 /// round these are the poses at which it may begin.
 std::vector<Cut> cuts(const LinePoses& line, const ConnectOptions& options,
-                      const AreaQuery& water) {
+                      const SafeWater& water) {
   const double most = std::min(options.longest_cut * line.length_m(), kMostCut * options.radius_m);
   std::vector<Cut> result;
   const double r = options.radius_m;
@@ -83,31 +89,24 @@ struct Connector::Impl {
     bool misled = false;
   };
 
-  AreaQuery water;
+  SafeWater water;
   WaterPath ways;
   ConnectOptions options;
   PoseSearchOptions search;
+  std::optional<WaterDistances> distances;  // built when first needed
+  std::map<std::vector<double>, Connection> joins;
+  Effort effort;
 
   Impl(const Area& area, const ConnectOptions& o) : water(area), ways(area), options(o) {
     search.radius_m = o.radius_m * (1.0 + kRadiusReserve);
     search.most_poses = kMostPoses;
     search.place_in_water = [this](const Vec2& p) { return water.contains(p); };
-    search.in_water = [this](const std::vector<Vec2>& points) { return in_water(points); };
-  }
-
-  [[nodiscard]] bool in_water(const std::vector<Vec2>& points) const {
-    // The first test is coarse: most paths that leave the water leave it by far.
-    constexpr std::size_t kStride = 16;
-    for (std::size_t i = 0; i < points.size(); i += kStride) {
-      if (!water.contains(points[i])) return false;
-    }
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const double length = (points[i] - points[i - 1]).norm();
-      if (water.inside_length(points[i - 1], points[i]) < length - kDust * std::max(1.0, length)) {
-        return false;
-      }
-    }
-    return true;
+    search.in_water = [this](const std::vector<Vec2>& points) { return water.holds(points); };
+    search.searched = [this](int poses) {
+      ++effort.searches;
+      effort.poses += static_cast<std::size_t>(poses);
+    };
+    search.clear_around = [this](const Vec2& p) { return water.clear_around(p); };
   }
 
   [[nodiscard]] std::vector<Cut> sides(const std::vector<Vec2>& line, bool after,
@@ -129,6 +128,12 @@ struct Connector::Impl {
   [[nodiscard]] std::optional<Connection> by_way(const std::vector<Cut>& from,
                                                  const std::vector<Cut>& to, Estimate estimate,
                                                  PoseSearchOptions how) const;
+  [[nodiscard]] bool behind_thin_wall(const Vec2& a, const Vec2& b) const;
+  [[nodiscard]] std::optional<Connection> around_wall(const std::vector<Cut>& from,
+                                                      const std::vector<Cut>& to);
+  [[nodiscard]] std::optional<Connection> by_search(const std::vector<Cut>& from,
+                                                    const std::vector<Cut>& to);
+  [[nodiscard]] Connection infeasible(const Vec2& a, const Vec2& b) const;
   [[nodiscard]] std::optional<Connection> by_stages(const std::vector<Cut>& from,
                                                     const std::vector<Cut>& to,
                                                     const PoseSearchOptions& how) const;
@@ -212,7 +217,7 @@ std::optional<Connection> Connector::Impl::by_way(const std::vector<Cut>& from,
     if (!way) break;
     const TautWay taut(*way);
     const auto to_go = [&](const Vec2& p) {
-      return estimate.in_sight ? taut.to_go_in_sight(p, water) : taut.to_go(p);
+      return estimate.in_sight ? taut.to_go_in_sight(p, water.outline()) : taut.to_go(p);
     };
     const bool misled = kMisled * to_go(a.pose.position) < taut.length_m();
     if (misled != estimate.misled) continue;
@@ -267,38 +272,94 @@ std::optional<Connection> Connector::Impl::by_stages(const std::vector<Cut>& fro
   return std::nullopt;
 }
 
+/// Whether the straight way is cut by less than a turning circle, and the way around is long.
+bool Connector::Impl::behind_thin_wall(const Vec2& a, const Vec2& b) const {
+  const double straight = (b - a).norm();
+  if (straight - water.outline().inside_length(a, b) > 2.0 * options.radius_m) return false;
+  const auto way = ways.find(a, b);
+  return way && TautWay(*way).length_m() > kDetour * straight;
+}
+
+/// A search that distances through the water lead.
+std::optional<Connection> Connector::Impl::around_wall(const std::vector<Cut>& from,
+                                                       const std::vector<Cut>& to) {
+  const auto leave = ones_with_room(from, true, search);
+  const auto arrive = ones_with_room(to, false, search);
+  if (!distances) distances.emplace(water);
+  for (std::size_t k = 0; k < kTries && !leave.empty() && !arrive.empty(); ++k) {
+    const Cut& a = leave[k * leave.size() / kTries];
+    const Cut& b = arrive[k * arrive.size() / kTries];
+    const std::vector<float>& metres = distances->to(b.pose.position);
+    const double most = distances->from(a.pose.position, metres);
+    const auto to_go = [&](const Vec2& p) {
+      const double straight = (p - b.pose.position).norm();
+      const double left = distances->from(p, metres);
+      return std::max(straight, std::isfinite(left) ? left : most + straight);
+    };
+    const auto poses = search_poses(a.pose, b.pose, to_go, search);
+    if (!poses) continue;
+    std::vector<Vec2> points = written(*poses, search);
+    if (points.empty()) continue;
+    return Connection{JoinKind::way, std::move(points), a.off, b.off, {}};
+  }
+  return std::nullopt;
+}
+
+std::optional<Connection> Connector::Impl::by_search(const std::vector<Cut>& from,
+                                                     const std::vector<Cut>& to) {
+  if (from.empty() || to.empty()) return std::nullopt;
+  if (behind_thin_wall(from.front().pose.position, to.front().pose.position)) {
+    if (auto found = around_wall(from, to)) return found;
+    return by_stages(from, to, search);
+  }
+  // The plain estimate is quick and nearly always enough.
+  for (const bool in_sight : {false, true}) {
+    if (auto found = by_way(from, to, {in_sight, false}, search)) return found;
+  }
+  if (auto found = by_stages(from, to, search)) return found;
+  for (const bool in_sight : {false, true}) {
+    if (auto found = by_way(from, to, {in_sight, true}, search)) return found;
+  }
+  return std::nullopt;
+}
+
+Connection Connector::Impl::infeasible(const Vec2& a, const Vec2& b) const {
+  Connection none;
+  const auto way = ways.find(a, b);
+  none.points = way.value_or(std::vector<Vec2>{a, b});
+  none.reason =
+      way ? fmt::format("no forward way with turns of {:g} m from {} to {} stays in safe water",
+                        options.radius_m, at_text(a, options.frame), at_text(b, options.frame))
+          : fmt::format(
+                "no way through the water from {} to {}: the transit between these separate "
+                "waters crosses land and is counted as outside the water",
+                at_text(a, options.frame), at_text(b, options.frame));
+  return none;
+}
+
 Connector::Connector(const Area& safe_water, const ConnectOptions& options)
     : impl_(std::make_unique<Impl>(safe_water, options)) {}
 Connector::~Connector() = default;
 Connector::Connector(Connector&&) noexcept = default;
 Connector& Connector::operator=(Connector&&) noexcept = default;
 
+Connector::Effort Connector::effort() const { return impl_->effort; }
+
 Connection Connector::join(const std::vector<Vec2>& before, const std::vector<Vec2>& after) const {
+  std::vector<double> key;
+  key.reserve(2 * (before.size() + after.size()) + 1);
+  key.push_back(static_cast<double>(before.size()));
+  for (const auto* line : {&before, &after}) {
+    for (const Vec2& p : *line) key.insert(key.end(), {p.x(), p.y()});
+  }
+  if (const auto known = impl_->joins.find(key); known != impl_->joins.end()) return known->second;
   const auto from = impl_->sides(before, false, impl_->options);
   const auto to = impl_->sides(after, true, impl_->options);
   if (auto found = impl_->by_curve(from, to, impl_->search)) return *found;
-  // The plain estimate is quick and nearly always enough.
-  for (const bool in_sight : {false, true}) {
-    if (auto found = impl_->by_way(from, to, {in_sight, false}, impl_->search)) return *found;
-  }
-  if (auto found = impl_->by_stages(from, to, impl_->search)) return *found;
-  for (const bool in_sight : {false, true}) {
-    if (auto found = impl_->by_way(from, to, {in_sight, true}, impl_->search)) return *found;
-  }
-  Connection none;
-  const Vec2& a = before.back();
-  const Vec2& b = after.front();
-  const auto way = impl_->ways.find(a, b);
-  none.points = way.value_or(std::vector<Vec2>{a, b});
-  none.reason =
-      way ? fmt::format("no forward way with turns of {:g} m from {} to {} stays in safe water",
-                        impl_->options.radius_m, at_text(a, impl_->options.frame),
-                        at_text(b, impl_->options.frame))
-          : fmt::format(
-                "no way through the water from {} to {}: the transit between these separate "
-                "waters crosses land and is counted as outside the water",
-                at_text(a, impl_->options.frame), at_text(b, impl_->options.frame));
-  return none;
+  const auto found = impl_->by_search(from, to);
+  const Connection join = found ? *found : impl_->infeasible(before.back(), after.front());
+  impl_->joins.emplace(std::move(key), join);
+  return join;
 }
 
 std::optional<Connection> Connector::wider_join(const std::vector<Vec2>& before,
@@ -331,9 +392,11 @@ std::vector<Vec2> Connector::curve(const Pose& from, const Pose& to) const {
   const double parts = std::max(1.0, std::round(path->length_m() / step));
   constexpr double kDown = 1.0 + 1e-9;  // else rounding could make one part more
   std::vector<Vec2> even = path->points(kDown * path->length_m() / parts);
-  return in_water(even) ? even : path->points(curve_step_m(impl_->search.radius_m));
+  return impl_->water.holds(even) ? even : path->points(curve_step_m(impl_->search.radius_m));
 }
 
-bool Connector::in_water(const std::vector<Vec2>& points) const { return impl_->in_water(points); }
+bool Connector::in_water(const std::vector<Vec2>& points) const {
+  return impl_->water.holds(points);
+}
 
 }  // namespace swathplan

@@ -35,9 +35,11 @@ struct ConnectOptions {
 
 /// Joins lines through safe water by forward motion, with turns no tighter than a radius. A line
 /// that runs up to the water's edge is shortened there, as far as the turn needs.
-/// Guarantees: (1) a feasible connection stays in the water (to kDust of its length) and turns no
-/// tighter than the radius; (2) its first and last course are those of the lines.
-/// Cost: a Dubins path and its check; where it is blocked, a search over poses (kMostPoses).
+/// Guarantees: (1) a feasible connection stays in the water (to SafeWater::kDust of its length) and
+/// turns no tighter than the radius; (2) its first and last course are those of the lines.
+/// Cost: a Dubins path and its check; where it is blocked, searches over poses (kMostPoses each).
+/// Joins that took a search are kept for when they are asked for again, so it is not for use by
+/// several threads at once.
 class Connector {
  public:
   /// `safe_water`: where the boat may be, clearance taken off.
@@ -63,8 +65,14 @@ class Connector {
   /// True if the path stays in the water.
   [[nodiscard]] bool in_water(const std::vector<Vec2>& points) const;
 
+  /// The searches over poses so far, and the poses that they took: what joins cost.
+  struct Effort {
+    std::size_t searches = 0;
+    std::size_t poses = 0;
+  };
+  [[nodiscard]] Effort effort() const;
+
   static constexpr int kMostPoses = 60000;
-  static constexpr double kDust = 1e-6;
 
  private:
   struct Impl;

@@ -39,14 +39,20 @@ class Search {
   }
 
   std::optional<std::vector<Pose>> run() {
-    int taken = 0;
-    while (!open_.empty() && taken < options_.most_poses) {
+    auto way = found();
+    if (options_.searched) options_.searched(taken_);
+    return way;
+  }
+
+ private:
+  std::optional<std::vector<Pose>> found() {
+    while (!open_.empty() && taken_ < options_.most_poses) {
       const int i = open_.top().second;
       open_.pop();
       const Node node = nodes_[static_cast<std::size_t>(i)];
       if (node.cost > best_.at(key(node.pose)) + 1e-9) continue;
       const double away = (node.pose.position - goal_.position).norm();
-      if ((taken++ % kTryEvery == 0 || away < kNearGoal * options_.radius_m) &&
+      if ((taken_++ % kTryEvery == 0 || away < kNearGoal * options_.radius_m) &&
           dubins_in_water(node.pose, goal_, options_)) {
         return way_to(i);
       }
@@ -55,7 +61,6 @@ class Search {
     return std::nullopt;
   }
 
- private:
   [[nodiscard]] std::int64_t key(const Pose& pose) const {
     const auto x = static_cast<std::int64_t>(std::floor(pose.position.x() / cell_)) & 0xFFFFFF;
     const auto y = static_cast<std::int64_t>(std::floor(pose.position.y() / cell_)) & 0xFFFFFF;
@@ -101,6 +106,7 @@ class Search {
   const std::function<double(const Vec2&)>& to_go_;
   const PoseSearchOptions& options_;
   double cell_;
+  int taken_ = 0;
   std::vector<Node> nodes_;
   std::unordered_map<std::int64_t, double> best_;
   using Item = std::pair<double, int>;
@@ -136,6 +142,24 @@ double curve_step_m(double radius_m) {
   return std::min(kCurveStepM, Angle::degrees(kCurveStepDeg).rad() * radius_m);
 }
 
+namespace {
+
+/// Whether clear circles along a path hold all of it.
+bool surely_clear(const DubinsPath& path, const PoseSearchOptions& options) {
+  if (!options.clear_around) return false;
+  // The circles overlap by more than the chords that paths are written in.
+  constexpr double kOverlap = 0.1;
+  const double least = curve_step_m(options.radius_m) / kOverlap;
+  for (double along = 0.0; along <= path.length_m();) {
+    const double clear = options.clear_around(path.at(along).position);
+    if (clear < least) return false;
+    along += (1.0 - 2.0 * kOverlap) * clear;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool stays_in_water(const DubinsPath& path, const PoseSearchOptions& options) {
   // A few places are tested first: nearly all paths that leave the water fail there. To write the
   // thousands of points of each path would cost a hundred times as much.
@@ -145,6 +169,7 @@ bool stays_in_water(const DubinsPath& path, const PoseSearchOptions& options) {
   for (int k = 0; k <= places; ++k) {
     if (!options.place_in_water(path.at(length * k / places).position)) return false;
   }
+  if (surely_clear(path, options)) return true;
   return options.in_water(path.points(curve_step_m(options.radius_m)));
 }
 

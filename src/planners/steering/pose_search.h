@@ -18,6 +18,11 @@ struct PoseSearchOptions {
   std::function<bool(const Vec2&)> place_in_water;
   /// Whether a path of points stays in the water.
   std::function<bool(const std::vector<Vec2>&)> in_water;
+  /// Metres around a place that are water for certain, or 0. Empty: nothing is known. It only saves
+  /// questions of the other two kinds.
+  std::function<double(const Vec2&)> clear_around;
+  /// Told of each search how many poses it took. May be empty.
+  std::function<void(int)> searched;
 };
 
 /// A forward path from one pose to another, given as poses that Dubins paths in the water join.

@@ -230,6 +230,48 @@ TEST(PingWalker, ByTheClockAPingWithoutASoundingCountsWithTheRangeBefore) {
   EXPECT_DOUBLE_EQ(figures.longest_range_m, 67.5);
 }
 
+// A stray waypoint 1,000,000 km off: ten billion pings that nothing could sound.
+TEST(PingWalker, StretchesBeyondReachOfDataHaveNoPings) {
+  const Route route = testing::route_through({{0, 0}, {0, 20}, {1e9, 20}, {0, 20}, {0, 0}}, kFan);
+  const Sonar sonar;
+  Box2 reach;
+  reach.extend({-50, -50});
+  reach.extend({50, 50});
+  for (const std::optional<double> spacing :
+       {std::optional<double>(0.1), std::optional<double>()}) {
+    PingWalker walker(route, sonar, {.spacing_m = spacing}, {}, reach);
+    std::vector<Ping> block;
+    std::size_t pings = 0, outside = 0;
+    double last = 0.0;
+    while (walker.next(64, block, [](const Ping&) { return 10.0; })) {
+      for (const Ping& ping : block) {
+        ++pings;
+        outside += ping.position.x() > 50.0;
+        last = ping.position.y();
+      }
+    }
+    EXPECT_GT(pings, 200U);
+    EXPECT_LE(outside, 4U);
+    EXPECT_LT(last, 1.0);  // it comes back
+    EXPECT_NEAR(walker.figures().beyond_data_m, 2e9 - 100.0, 2.0);
+  }
+}
+
+TEST(PingWalker, WithinReachNothingChanges) {
+  const Route route = testing::route_through({{0, 0}, {0, 20}, {30, 20}}, kFan);
+  const Sonar sonar;
+  Box2 reach;
+  reach.extend({-1, -1});
+  reach.extend({31, 21});
+  PingWalker walker(route, sonar, {.spacing_m = 0.1}, {}, reach);
+  std::vector<Ping> pings;
+  ASSERT_TRUE(walker.next(1000, pings));
+  const std::vector<Ping> all = all_pings(route, 0.1);
+  ASSERT_EQ(pings.size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(pings[i].position, all[i].position);
+  EXPECT_EQ(walker.figures().beyond_data_m, 0.0);
+}
+
 TEST(PingWalker, TheClockRunsOnThroughLegsWithTheSonarOff) {
   Route route = testing::route_through({{0, 0}, {0, 1}, {0, 2}, {0, 3}}, kFan);
   route.waypoints[1].fan.reset();

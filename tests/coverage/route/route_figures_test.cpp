@@ -127,6 +127,14 @@ TEST(RouteFigures, LeastWaterUnderTheKeelIsFoundBetweenWaypoints) {
   EXPECT_NEAR(nowhere.unknown_depth_m, 4.0, 1e-9);
 }
 
+TEST(RouteFigures, ALegOfAMillionKilometresIsLookedAtWhereDataAre) {
+  const Seafloor s = flat(100, 100, 10);
+  const DepthQuery depths(s);
+  const RouteFigures f = route_figures(route_through({{50, 50}, {1e9, 50}}, kLegFan), {},
+                                       rectangle(0, 0, 100, 100), depths, 1, 1);
+  EXPECT_NEAR(f.unknown_depth_m, 1e9 - 100.0, 3.0);
+}
+
 // Known water at both ends says nothing of the land between.
 TEST(RouteFigures, APathOverLandHasNoLeastWaterUnderTheKeel) {
   Seafloor s = flat(100, 100, 10);

@@ -21,6 +21,22 @@ TEST(Text, NumbersAreWholeFields) {
   }
 }
 
+TEST(Text, NestingCountsBracketsOutsideOfTexts) {
+  EXPECT_EQ(nesting_of_json("1"), 0U);
+  EXPECT_EQ(nesting_of_json(R"({"a": [[1], [2]], "b": "[[[[["})"), 3U);
+  EXPECT_EQ(nesting_of_json(R"({"\"[[[[": 1})"), 1U);
+  EXPECT_EQ(nesting_of_json(std::string(100000, '[')), 100000U);
+}
+
+TEST(Text, ADeviceWithoutEndIsRefused) {
+  try {
+    (void)read_text("/dev/zero");
+    FAIL() << "was read";
+  } catch (const InvalidInput& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("'/dev/zero' is no regular file"));
+  }
+}
+
 TEST(Text, SplitsAtBlanksOrSeparators) {
   EXPECT_THAT(split("  1\t2   3\r", ' '), testing::ElementsAre("1", "2", "3"));
   EXPECT_THAT(split("1, \"two\" ,,4", ','), testing::ElementsAre("1", "two", "", "4"));

@@ -189,6 +189,26 @@ TEST_F(AreaImport, SimplifiesOutlinesOfVeryManyCornersOnTheSafeSide) {
   EXPECT_THAT(around.notes[0], HasSubstr("within 0.1 m; the area used contains the file's"));
 }
 
+TEST_F(AreaImport, RipplesOfAShorelineAreSimplifiedAsFarAsAllowed) {
+  constexpr int kCorners = 40000;
+  std::string corners;
+  for (int k = 0; k <= kCorners; ++k) {
+    const double a = 2.0 * 3.14159265358979 * (k % kCorners) / kCorners;
+    const double r = 500.0 + (k % 2 == 0 ? 0.0 : 0.06);
+    corners += fmt::format("{}[{},{}]", k > 0 ? "," : "", r * std::cos(a), r * std::sin(a));
+  }
+  const auto file =
+      write("r.geojson", geojson(R"({"type":"Polygon","coordinates":[[)" + corners + "]]}"));
+  const ImportedArea within =
+      import_area(file, Frame{}, {.tolerance_m = 0.05, .most_tolerance_m = 0.5});
+  ASSERT_EQ(within.area.size(), 1U);
+  EXPECT_LT(within.area.front().outer.size(), 2 * kFewEnough);
+  EXPECT_GT(area_m2(within.area), 3.14159 * 499.5 * 499.5);
+  EXPECT_LT(area_m2(within.area), 3.14160 * 500.06 * 500.06);
+  ASSERT_EQ(within.notes.size(), 1U);
+  EXPECT_THAT(within.notes[0], HasSubstr("within 0.2 m; the area used lies inside the file's"));
+}
+
 TEST_F(AreaImport, RefusesDegreesOnASeafloorWithoutACrs) {
   const std::string tiny = geojson(
       R"({"type":"Polygon","coordinates":[[[10,50],[10.001,50],[10.001,50.001],[10,50],[10,50]]]})");

@@ -72,6 +72,27 @@ TEST(Connect, GoesAroundAThinWall) {
   EXPECT_LT(highest, 160.0);
 }
 
+// A no-go as thin as a cable, slanting across the water: each pair of lines that it cuts asks for a
+// way around its end. Poses are counted, since time is not the same twice.
+TEST(Connect, AThinNoGoTakesFewPosesAJoinAndNoneTheSecondTime) {
+  const double s = 0.15 * std::sqrt(0.5);  // half of 0.3 m across, along each axis
+  const Ring cable{{25 - s, 25 + s}, {25 + s, 25 - s}, {131 + s, 131 - s}, {131 - s, 131 + s}};
+  const Connector connector(subtract(basin(160, 160), {{cable, {}}}), {.radius_m = 1.5});
+  std::size_t joins = 0;
+  for (int round = 0; round < 2; ++round) {
+    const std::size_t before = connector.effort().poses;
+    for (double x = 40; x < 120; x += 10) {
+      // Up to the no-go from below; on from it above.
+      const auto way = connector.join({{x, 1}, {x, x - 0.5}}, {{x, x + 0.5}, {x, 159}});
+      ASSERT_TRUE(is_steerable(connector, way, 1.5)) << x;
+      EXPECT_EQ(way.kind, JoinKind::way) << x;
+      joins += round == 0 ? 1 : 0;
+    }
+    const std::size_t taken = connector.effort().poses - before;
+    EXPECT_LT(taken, round == 0 ? 3000 * joins : 1) << round;
+  }
+}
+
 // The line beyond a mole is near, but the way to it is long: an estimate across the mole leads a
 // search astray in the whole basin.
 TEST(Connect, FindsTheLongWayAroundAMoleFromCornersOfItsWalls) {
