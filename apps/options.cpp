@@ -64,8 +64,11 @@ bool is_field(const std::string& text) {
 OptionTable site_options(SiteOptions& o, bool with_file) {
   Option file = argument("FILE", o.file, "Seafloor: mesh, grid or soundings");
   file.required = with_file;
-  Option z_unit = real("--z-unit", kSeafloorGroup, o.z_unit_m, kMetres, above(0.0),
-                       "Unit of z: metre, foot, us-foot, fathom or metres in one unit", "z_unit_m");
+  Option z_unit =
+      real("--z-unit", kSeafloorGroup, o.z_unit_m, kMetres, above(0.0),
+           "Unit of z: metre, foot, us-foot, fathom or metres in one unit (default: what "
+           "the file says, else metres)",
+           "z_unit_m");
   z_unit.words = {{"metre", 1.0},    {"meter", 1.0}, {"m", 1.0},
                   {"foot", 0.3048},  {"ft", 0.3048}, {"us-foot", 1200.0 / 3937.0},
                   {"fathom", 1.8288}};

@@ -17,8 +17,7 @@ struct SiteOptions {
   std::string crs, columns;
   double water_level_m = 0.0;
   std::string z_positive = "up";
-  double z_unit_m = 1.0;
-  std::optional<double> xy_unit_m, longest_edge_m, nodata_value;
+  std::optional<double> z_unit_m, xy_unit_m, longest_edge_m, nodata_value;
   std::filesystem::path area, no_go;
   std::vector<std::string> layers;  ///< of these files; empty: the only one
   double buffer_m = 0.0;            ///< room around their lines and points; 0: these do not count

@@ -45,7 +45,7 @@ void check_options(const ImportOptions& options) {
       throw UsageError(name, fmt::format("{}", value), "must be a finite number above 0");
     }
   };
-  positive("z unit", options.z_unit_m);
+  if (options.z_unit_m) positive("z unit", *options.z_unit_m);
   if (options.xy_unit_m) positive("xy unit", *options.xy_unit_m);
   if (options.longest_edge_m) positive("longest edge", *options.longest_edge_m);
   if (!std::isfinite(options.water_level_m)) {
@@ -134,7 +134,7 @@ SurfaceData read(const fs::path& path, const std::string& kind, const ImportOpti
   return read_soundings(path, {.z_positive_down = down,
                                .nodata = options.nodata,
                                .columns = options.columns,
-                               .z_unit_is_given = options.z_unit_m != 1.0});
+                               .z_unit_is_given = options.z_unit_m.has_value()});
 }
 
 /// Soundings of which only the options say that they are in degrees.
@@ -296,7 +296,7 @@ Frame choose_frame(const SurfaceData& data, const std::string& crs, double metre
 
 Seafloor place(SurfaceData& data, const Frame& frame, const ImportOptions& options) {
   const bool down = options.z_positive == ImportOptions::ZPositive::down || data.z_is_depth;
-  const double unit_m = options.z_unit_m != 1.0 ? options.z_unit_m : data.z_unit_m.value_or(1.0);
+  const double unit_m = options.z_unit_m.value_or(data.z_unit_m.value_or(1.0));
   const double unit = down ? -unit_m : unit_m;
   Seafloor seafloor;
   seafloor.frame = frame;
@@ -394,24 +394,33 @@ void join(SurfaceData& data, const Frame& frame, const ImportOptions& options,
       limit ? "" : " (from their spacing; set another with <longest edge>)"));
 }
 
-/// Grids of metres end near 10,000,000; grids of feet go on.
-void warn_of_feet(const std::string& crs, const SurfaceData& data, const ImportOptions& options,
-                  ImportedSeafloor& result) {
-  constexpr double kLargestNorthing = 10'050'000.0;
+/// Grids of metres end near 10,000,000; grids of feet go on. Depths in feet are the shoaler
+/// reading, so the safe one, and whoever maps in feet sounds in feet.
+void take_as_feet(const std::string& crs, SurfaceData& data, const ImportOptions& options,
+                  const ImportedSeafloor& result) {
+  constexpr double kLargestNorthing = 10'050'000.0, kUsFoot = 1200.0 / 3937.0;
   if (result.kind != "soundings" || !crs.empty() || options.xy_unit_m || data.xy_unit_m) return;
   const double largest =
       std::max(result.raw_max.cwiseAbs().maxCoeff(), result.raw_min.cwiseAbs().maxCoeff());
   if (largest < kLargestNorthing) return;
-  result.warnings.push_back(fmt::format(
-      "coordinates up to {:.8g} are more than grids of metres have, but no coordinate reference "
-      "system says their unit: taken as metres, and so is z; if they are feet, give <CRS> (or <xy "
-      "unit>) and <z unit>",
-      largest));
+  const bool z_too = !options.z_unit_m && !data.z_unit_m;
+  data.xy_unit_m = kUsFoot;
+  if (z_too) data.z_unit_m = kUsFoot;
+  data.warnings.push_back(fmt::format(
+      "coordinates up to {:.8g} are more than grids of metres have: they were taken as US survey "
+      "feet{}; if that is wrong, give <CRS> (or <xy unit>) and <z unit>",
+      largest, z_too ? ", and so was z" : ""));
+}
+
+void note_other_z_unit(SurfaceData& data, const ImportOptions& options) {
+  if (!options.z_unit_m || !data.z_unit_m || *options.z_unit_m == *data.z_unit_m) return;
+  data.notes.push_back(fmt::format("z is taken in units of {:.7g} m (<z unit>), not of {:.7g} m",
+                                   *options.z_unit_m, *data.z_unit_m));
 }
 
 void add_unit_warnings(const SurfaceData& data, const Frame& frame, double unit_m,
                        const ImportOptions& options, ImportedSeafloor& result) {
-  if (unit_m != 1.0 && options.z_unit_m == 1.0 && !data.z_unit_m) {
+  if (unit_m != 1.0 && !options.z_unit_m && !data.z_unit_m) {
     result.warnings.push_back(fmt::format(
         "horizontal units are {:.7g} m, but z is taken as metres; set <z unit> if depths are in "
         "feet",
@@ -468,12 +477,13 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
   note_extent(data, result);
   std::string crs = choose_crs(data, options, result);
   if (is_geographic(crs)) crs = project(data, crs, result);
+  take_as_feet(crs, data, options, result);
   const double unit_m = true_scale(data, crs, options, result);
   const Frame frame = choose_frame(data, crs, unit_m);
   result.crs_name = crs_name(crs);
   if (data.faces.empty()) join(data, frame, options, result);
   result.spacing_m = data.spacing * frame.metres_per_unit;
-  warn_of_feet(crs, data, options, result);
+  note_other_z_unit(data, options);
   const double own_unit_m = crs.empty() && data.xy_unit_m ? *data.xy_unit_m : metres_per_unit(crs);
   add_unit_warnings(data, frame, options.xy_unit_m.value_or(own_unit_m), options, result);
   result.notes.insert(result.notes.begin(), data.notes.begin(), data.notes.end());
