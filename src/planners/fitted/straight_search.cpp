@@ -19,7 +19,7 @@ constexpr double kDirectionStepDeg = 15.0;
 constexpr double kLineShares[] = {1.0, 0.85, 0.7, 1.15};
 /// Directions that ask for this many times the fewest lines' metres are left out.
 constexpr double kLongest = 1.3;
-/// Plans under this coverage are of no use, %.
+/// Plans under this coverage are of no use, %, where others reach it and no length or time is set.
 constexpr double kUseless = 70.0;
 
 std::vector<double> directions(const LineWorkshop& shop) {
@@ -101,6 +101,7 @@ class Search {
   }
 
   [[nodiscard]] const PlanGoal& goal() const { return shop_.options().goal; }
+  [[nodiscard]] bool has_budget() const { return goal().length_m || goal().time_s; }
   [[nodiscard]] int left() const { return budget_.candidates - static_cast<int>(pool_.size()); }
 
   void judge(const StraightCandidate& c) {
@@ -161,6 +162,22 @@ class Search {
         judge(c);
       }
     }
+    if (has_budget() && !list.empty()) few_rows(list[0].deg, list[0].swaths);
+  }
+
+  /// A length or time that is set may hold far fewer rows than W asks for.
+  void few_rows(double deg, double swaths) {
+    const int least = static_cast<int>(
+        *std::min_element(std::begin(kLineShares), std::end(kLineShares)) * swaths);
+    for (int lines = 1; lines < least && left() > budget_.candidates / 4; lines *= 2) {
+      for (const double azimuth : {deg, std::fmod(deg + 90.0, 180.0)}) {
+        if (azimuth != deg && shop_.options().heading) continue;
+        StraightCandidate c;
+        c.azimuth_deg = azimuth;
+        c.lines = lines;
+        judge(c);
+      }
+    }
   }
 
   /// Of those on the front that were not varied yet, the most worth or what the goal picks;
@@ -175,8 +192,9 @@ class Search {
   [[nodiscard]] std::vector<std::size_t> front() const {
     const std::vector<Outcome> outcomes = outcomes_of(pool_);
     auto list = pareto_front(outcomes);
-    if (list.size() > 1) {
-      std::erase_if(list, [&](std::size_t i) { return outcomes[i].cover_pct < kUseless; });
+    const auto useful = [&](std::size_t i) { return outcomes[i].cover_pct >= kUseless; };
+    if (!has_budget() && std::any_of(list.begin(), list.end(), useful)) {
+      std::erase_if(list, [&](std::size_t i) { return !useful(i); });
     }
     return list;
   }
