@@ -80,6 +80,8 @@ OptionTable site_options(SiteOptions& o, bool with_file) {
            "Height of still water in FILE's datum, metres", "water_level_m"),
       choice("--z-positive", kSeafloorGroup, o.z_positive, {"up", "down"},
              "Which way z counts in FILE", "z_positive"),
+      choice("--up", kSeafloorGroup, o.up, {"ask", "y", "z"},
+             "Axis of a mesh that points up; ask: z, and meshes that look y up are refused", "up"),
       z_unit,
       real("--xy-unit", kSeafloorGroup, o.xy_unit_m, kMetres, above(0.0),
            "Metres in one horizontal unit, where the CRS does not say", "xy_unit_m"),

@@ -16,7 +16,7 @@ struct SiteOptions {
   std::filesystem::path file;
   std::string crs, columns;
   double water_level_m = 0.0;
-  std::string z_positive = "up";
+  std::string z_positive = "up", up = "ask";
   std::optional<double> z_unit_m, xy_unit_m, longest_edge_m, nodata_value;
   std::filesystem::path area, no_go;
   std::vector<std::string> layers;  ///< of these files; empty: the only one

@@ -282,6 +282,9 @@ ImportOptions import_options(const SiteOptions& o) {
 Provenance provenance_of(const std::string& command, const SiteOptions& site,
                          const std::string& input_hash) {
   Provenance provenance;
+  result.up = o.up == "y"   ? ImportOptions::Up::y
+              : o.up == "z" ? ImportOptions::Up::z
+                            : ImportOptions::Up::ask;
   provenance.version = SWATHPLAN_VERSION;
   provenance.command = command;
   provenance.input_file = site.file.filename().string();

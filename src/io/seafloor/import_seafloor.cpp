@@ -137,6 +137,43 @@ SurfaceData read(const fs::path& path, const std::string& kind, const ImportOpti
                                .z_unit_is_given = options.z_unit_m.has_value()});
 }
 
+/// True if the faces look along y rather than up, and z runs farther than y.
+bool looks_y_up(const SurfaceData& data) {
+  if (data.vertices.empty()) return false;
+  Vec3 low = data.vertices.front();
+  Vec3 high = low;
+  for (const Vec3& v : data.vertices) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  if (high.z() - low.z() <= high.y() - low.y()) return false;
+  Vec3 sum = Vec3::Zero();
+  for (const auto& f : data.faces) {
+    const Vec3& a = data.vertices[f[0]];
+    sum += (data.vertices[f[1]] - a).cross(data.vertices[f[2]] - a).cwiseAbs();
+  }
+  return sum.y() > 2.0 * std::max(sum.x(), sum.z());
+}
+
+/// Turns a mesh z up, or asks which way it is up.
+void turn_z_up(SurfaceData& data, const ImportedSeafloor& r, const ImportOptions& options) {
+  if (r.kind != "mesh") {
+    if (options.up == ImportOptions::Up::y) {
+      data.warnings.emplace_back("<up> is for meshes; it was not used");
+    }
+    return;
+  }
+  if (options.up == ImportOptions::Up::ask && looks_y_up(data)) {
+    throw InvalidInput(fmt::format(
+        "the mesh '{}' looks y up: its faces look along y, and z runs farther than y; say which "
+        "axis points up: <up> y turns it, <up> z takes it as it is",
+        r.file));
+  }
+  if (options.up != ImportOptions::Up::y) return;
+  for (Vec3& v : data.vertices) v = Vec3(v.x(), -v.z(), v.y());
+  data.notes.emplace_back("the mesh was turned from y up to z up");
+}
+
 /// Soundings of which only the options say that they are in degrees.
 void mend_degrees(SurfaceData& data, const ImportOptions& options, const std::string& kind) {
   if (kind != "soundings") return;
@@ -344,7 +381,7 @@ void clip_land(Seafloor& seafloor, ImportedSeafloor& result) {
         "everything in '{}' lies above the water level (z from {:.6g} to {:.6g}); if these are "
         "depths, positive down, add <z positive> down; else give the level with <water level>{}",
         result.file, result.raw_z_min, result.raw_z_max,
-        may_be_y_up(result) ? ". Or the mesh is y up: turn it so that z points up" : ""));
+        may_be_y_up(result) ? ". Or the mesh is y up: add <up> y" : ""));
   }
   result.land_share =
       whole > 0.0 ? std::clamp(1.0 - plan_area_m2(seafloor) / whole, 0.0, 1.0) : 0.0;
@@ -499,3 +536,4 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
 }
 
 }  // namespace swathplan
+  turn_z_up(data, result, options);

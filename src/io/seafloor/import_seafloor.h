@@ -15,6 +15,8 @@ struct ImportOptions {
   std::string crs = {};        ///< 'EPSG:n' or WKT, overrides the file's own; empty: the file's own
   double water_level_m = 0.0;  ///< height of still water in the file's vertical datum, z up
   enum class ZPositive { up, down } z_positive = ZPositive::up;
+  /// Which axis of a mesh points up. ask: z, and a mesh that looks y up is refused.
+  enum class Up { ask, y, z } up = Up::ask;
   /// Metres in one vertical unit, > 0; empty: the file's own unit where it names one, else metres.
   std::optional<double> z_unit_m = {};
   std::optional<double> xy_unit_m = {};  ///< metres in one horizontal unit, > 0; empty: the CRS's
