@@ -26,6 +26,7 @@ struct LinesCommand {
   std::vector<std::string> methods{"auto"};
   double opening_deg = 120.0, overlap_pct = 0.0, missed_pct = 0.05;
   std::optional<double> heading_deg;
+  std::string north = "true";
 };
 
 const std::vector<std::pair<std::string, LineMethod>> kMethods{
@@ -52,7 +53,6 @@ LineDesignOptions design_options(const LinesCommand& c) {
   LineDesignOptions options;
   options.overlap = c.overlap_pct / 100.0;
   options.most_missed = c.missed_pct / 100.0;
-  if (c.heading_deg) options.heading = Angle::degrees(*c.heading_deg);
   check(options);
   return options;
 }
@@ -69,7 +69,8 @@ OptionTable own_options(LinesCommand& c) {
           real("--missed", group, c.missed_pct, kPerCent, between(0.0, 100.0),
                "Per cent of the area that may be missed", "missed_pct"),
           real("--heading", group, c.heading_deg, kDegrees, any_number(),
-               "Azimuth of straight lines, degrees (default: searched)", "heading_deg")};
+               "Azimuth of straight lines, degrees (default: searched)", "heading_deg"),
+          north_option(group, c.north)};
 }
 
 /// What of the vehicle the lines depend on.
@@ -155,6 +156,8 @@ void run(const LinesCommand& c) {
     const DesignedLines designed = design_lines(planning, search, judge, options);
     write_lines(c.output.folder / name, designed, *site, judge, vehicle, exports, c);
     json["methods"].push_back(figures_json(name, designed));
+  options.grid_north = Angle::degrees(site->imported.convergence_deg);
+  if (c.heading_deg) options.heading = grid_heading(*c.heading_deg, c.north, site->imported);
     table += row(name, designed);
     notes += missed_note(name, designed, 100.0 * options.most_missed);
   }
@@ -163,6 +166,7 @@ void run(const LinesCommand& c) {
   if (c.output.json) {
     fmt::print("{}", json_text(json));
   } else if (!c.output.quiet) {
+  json["meridian_convergence_deg"] = site->imported.convergence_deg;
     fmt::print(stderr, "{}", notes);
     fmt::print("{}ratio: of the length to the area's integral of 1/W, turns left out\n", table);
   }

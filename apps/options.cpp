@@ -270,10 +270,13 @@ OptionTable planning_options(PlanningChoice& o) {
            "run_in_m"),
       real("--run-out", kPlanningGroup, o.run_out_m, kMetres, any_number(),
            "... and behind each line, metres", "run_out_m"),
-      text("--start", kPlanningGroup, o.start, "Begin near X,Y (coordinates of FILE)", "start"),
+      text("--start", kPlanningGroup, o.start,
+           "Begin near X,Y (coordinates of FILE; where these are degrees, longitude,latitude)",
+           "start"),
       real("--heading", kPlanningGroup, o.heading_deg, kDegrees, at_least_under(0.0, 360.0),
            "Azimuth of straight lines, degrees (default: the one with the fewest lines)",
            "heading_deg"),
+      north_option(kPlanningGroup, o.north),
       choice("--lines", kPlanningGroup, o.lines, {"straight", "field", "auto"},
              "fitted-lines: straight lines, field lines along fronts from long walls, or both "
              "tried",
@@ -314,6 +317,11 @@ OptionTable planning_options(PlanningChoice& o) {
     if (option.flag == "--length") option.excludes = {"--time"};
   }
   return table;
+}
+
+Option north_option(const std::string& group, std::string& north) {
+  return choice("--north", group, north, {"true", "grid"},
+                "North that --heading counts from: true, or that of the CRS's grid", "north");
 }
 
 Option mission_items_option(const std::string& group, ExportChoice& choice) {

@@ -70,6 +70,7 @@ struct PlanningChoice {
   double run_in_m = 0.0, run_out_m = 0.0;
   std::string start;
   std::optional<double> heading_deg;
+  std::string north = "true";
   std::string lines = "auto";
   std::optional<double> goal_coverage_pct, goal_length_m, goal_time_h;
   std::string cover = "hit", counted = "logged", angles = "line";
@@ -107,6 +108,8 @@ struct ExportChoice {
 /// Scoring, sonar, vehicle and tracking errors.
 [[nodiscard]] OptionTable scoring_options(SurveyOptions& survey);
 [[nodiscard]] OptionTable planning_options(PlanningChoice& planning);
+/// Which north a heading counts from: a row of all commands that take one.
+[[nodiscard]] Option north_option(const std::string& group, std::string& north);
 /// Of `plan`, `compare` and `lines`, in a group of their own.
 [[nodiscard]] OptionTable exporting_options(ExportChoice& choice);
 /// The row that `export` shares with them.

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "apps/progress.h"
+#include "io/files/crs.h"
 #include "mesh/base/error.h"
 #include "planners/fitted/edge_following.h"
 #include "planners/fitted/fitted_lines.h"
@@ -13,6 +14,7 @@
 #include "planners/nuc/nuc.h"
 #include "planners/rows/back_and_forth.h"
 #include "planners/rows/multi_depth.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
@@ -109,6 +111,7 @@ PlannedSurvey recorded(const std::string& planner, const std::string& label, Pla
                        std::move(scored)};
   result.record.planner = planner;
   result.record.label = label;
+  result.record.grid_north = Angle::degrees(site.imported.convergence_deg);
   result.record.notes.insert(result.record.notes.end(), site.notes.begin(), site.notes.end());
   return result;
 }
@@ -116,13 +119,14 @@ PlannedSurvey recorded(const std::string& planner, const std::string& label, Pla
 PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Survey& survey,
                              const Scorer& scorer) {
   const auto start = std::chrono::steady_clock::now();
-  const PlanOptions how = planning_in(survey, site.seafloor().frame);
+  const PlanOptions how = planning_in(survey, site.imported);
   Plan plan = planner.plan(scorer.ground(), how);
   if (how.start && !contains(site.water, *how.start) && !plan.route.waypoints.empty()) {
-    const Vec2 first = site.seafloor().frame.to_file(plan.route.waypoints.front().position);
+    const Vec2 first = in_file_of(site.imported, plan.route.waypoints.front().position);
+    const int decimals = is_geographic(site.imported.file_crs_wkt) ? 6 : 1;
     plan.notes.push_back(
-        fmt::format("--start {} is not in safe water; the route begins at {:.1f},{:.1f}",
-                    survey.start_text, first.x(), first.y()));
+        fmt::format("--start {0} is not in safe water; the route begins at {1:.{3}f},{2:.{3}f}",
+                    survey.start_text, first.x(), first.y(), decimals));
   }
   if (plan.route.waypoints.size() < 2) {
     throw InvalidInput(
@@ -130,6 +134,11 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
                     "--resolution {:g}); use finer cells or another --planner",
                     planner.name, site.imported.file, footprint_width_m(how), how.sonar.beams,
                     how.resolution_m));
+  }
+  if (!plan.heading) plan.heading = how.heading;
+  if (plan.heading) {
+    plan.notes.push_back(fmt::format("straight lines run along {}",
+                                     azimuth_text(plan.heading->deg(), how.grid_north.deg())));
   }
   const double planning = seconds_since(start);
   ScoredRoute scored = scorer.score(planner.label, plan.route);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <cmath>
 #include "io/seafloor/area_import.h"
 #include "mesh/base/error.h"
 #include "mesh/survey_area.h"
@@ -98,6 +99,17 @@ void note_beyond_data(Site& site, const Area& asked) {
 Area beyond_the_edge(const Seafloor& seafloor, double margin_m) {
   Area filled;
   for (const Polygon& polygon : outline(seafloor)) filled.push_back({polygon.outer, {}});
+/// Says that grid north is not true north.
+void note_grid_north(Site& site) {
+  constexpr double kWorthSayingDeg = 0.05;
+  const double deg = site.imported.convergence_deg;
+  if (std::abs(deg) < kWorthSayingDeg) return;
+  site.notes.push_back(fmt::format(
+      "grid north of {} lies {:.2f} degrees {} of true north at the middle of the data; headings "
+      "are true (--north grid for the grid's)",
+      site.imported.crs_name, std::abs(deg), deg > 0.0 ? "east" : "west"));
+}
+
   return subtract(offset(filled, margin_m), filled);
 }
 
@@ -138,3 +150,4 @@ std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehic
 }
 
 }  // namespace swathplan
+  note_grid_north(*site);

@@ -471,6 +471,22 @@ void add_unit_warnings(const SurfaceData& data, const Frame& frame, double unit_
   }
 }
 
+/// 0 where the places have no longitude and latitude, of which true_scale warns.
+double convergence_at_middle(const SurfaceData& data, const std::string& crs) {
+  if (!is_projected(crs) || data.vertices.empty()) return 0.0;
+  Vec2 low = data.vertices.front().head<2>();
+  Vec2 high = low;
+  for (const Vec3& v : data.vertices) {
+    low = low.cwiseMin(v.head<2>());
+    high = high.cwiseMax(v.head<2>());
+  }
+  try {
+    return meridian_convergence_deg(crs, 0.5 * (low + high));
+  } catch (const InvalidInput&) {
+    return 0.0;
+  }
+}
+
 /// Reads the file inside a packed one; all words name the packed one.
 ImportedSeafloor import_packed(const fs::path& path, const ImportOptions& options) {
   const Unpacked unpacked(path, options.layer);
@@ -495,6 +511,24 @@ ImportedSeafloor import_packed(const fs::path& path, const ImportOptions& option
 
 }  // namespace
 
+Vec2 local_of(const ImportedSeafloor& data, const Vec2& in_file) {
+  const Frame& frame = data.seafloor.frame;
+  if (data.file_crs_wkt.empty()) return frame.to_local(in_file);
+  if (is_geographic(data.file_crs_wkt) &&
+      (std::abs(in_file.x()) > 360.0 || std::abs(in_file.y()) > 90.0)) {
+    throw InvalidInput(
+        fmt::format("'{}' is in degrees, longitude before latitude: ({}, {}) is no place there",
+                    data.file, in_file.x(), in_file.y()));
+  }
+  return frame.to_local(CrsTransform(data.file_crs_wkt, frame.crs_wkt)(in_file));
+}
+
+Vec2 in_file_of(const ImportedSeafloor& data, const Vec2& local) {
+  const Frame& frame = data.seafloor.frame;
+  const Vec2 place = frame.to_file(local);
+  return data.file_crs_wkt.empty() ? place : CrsTransform(frame.crs_wkt, data.file_crs_wkt)(place);
+}
+
 ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& options) {
   check_options(options);
   check_file(path);
@@ -506,6 +540,7 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
   const bool has_columns = result.kind == "soundings";
   SurfaceData data = read(path, result.kind, options);
   if (result.kind == "points" || result.kind == "lidar") result.kind = "soundings";
+  turn_z_up(data, result, options);
   result.format = data.format;
   if (!options.columns.empty() && !has_columns) {
     data.warnings.emplace_back("<columns> is for soundings in text files; it was not used");
@@ -513,11 +548,13 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
   mend_degrees(data, options, result.kind);
   note_extent(data, result);
   std::string crs = choose_crs(data, options, result);
+  const std::string file_crs = crs;
   if (is_geographic(crs)) crs = project(data, crs, result);
   take_as_feet(crs, data, options, result);
   const double unit_m = true_scale(data, crs, options, result);
   const Frame frame = choose_frame(data, crs, unit_m);
   result.crs_name = crs_name(crs);
+  if (crs != file_crs) result.file_crs_wkt = file_crs;
   if (data.faces.empty()) join(data, frame, options, result);
   result.spacing_m = data.spacing * frame.metres_per_unit;
   note_other_z_unit(data, options);
@@ -525,6 +562,7 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
   add_unit_warnings(data, frame, options.xy_unit_m.value_or(own_unit_m), options, result);
   result.notes.insert(result.notes.begin(), data.notes.begin(), data.notes.end());
   result.warnings.insert(result.warnings.begin(), data.warnings.begin(), data.warnings.end());
+  result.convergence_deg = convergence_at_middle(data, crs);
   const bool is_clean = data.is_clean;
   result.seafloor = place(data, frame, options);
   mend(result.seafloor, is_clean, result);
@@ -536,4 +574,3 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
 }
 
 }  // namespace swathplan
-  turn_z_up(data, result, options);

@@ -119,11 +119,11 @@ class Search {
     const BuiltRoute built = build(c, shop_);
     if (built.route.waypoints.size() < 2) return {};
     if (!routes_.insert(fingerprint(built.route)).second) return {};
-    return shop_.judge(built.route, budget_.coarse, describe(c));
+    return shop_.judge(built.route, budget_.coarse, describe(c, shop_.options().grid_north));
   }
   [[nodiscard]] Outcome estimated(const StraightCandidate& c) const {
     return shop_.estimate(lines_of(c, shop_), width_of(c, shop_), angles_of(c), budget_.coarse,
-                          describe(c));
+                          describe(c, shop_.options().grid_north));
   }
 
   /// Directions by the metres of line that they ask for, the least first; numbers about what W

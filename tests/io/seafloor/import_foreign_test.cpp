@@ -204,6 +204,34 @@ TEST_F(ForeignFiles, CoordinatesTooLargeForMetresAreFeetAndSoAreDepths) {
   EXPECT_NEAR(depth_range(metres.seafloor).max, 38.0, 1e-9);
 }
 
+TEST_F(ForeignFiles, MeshesThatLookYUpAreAskedAbout) {
+  const auto file = write("a.obj",
+                          "v 0 -10 0\nv 100 -10 0\nv 100 -12 -100\nv 0 -12 -100\n"
+                          "f 1 2 3\nf 1 3 4\n");
+  EXPECT_THAT(refusal([&] { return import_seafloor(file); }),
+              AllOf(HasSubstr("looks y up"), HasSubstr("<up> y")));
+  const ImportedSeafloor turned = import_seafloor(file, {.up = ImportOptions::Up::y});
+  EXPECT_NEAR(plan_area_m2(turned.seafloor), 10'000.0, 1e-6);
+  EXPECT_NEAR(depth_range(turned.seafloor).max, 12.0, 1e-9);
+  EXPECT_NEAR(extent(turned.seafloor).max.y(), 100.0, 1e-9);
+  EXPECT_EQ(import_seafloor(file, {.up = ImportOptions::Up::z}).raw_z_min, -100.0);
+}
+
+TEST_F(ForeignFiles, StartsAndEndsInTheFilesOwnDegrees) {
+  std::string rows = "lon,lat,depth\n";
+  for (int i = 0; i < 25; ++i) {
+    rows += std::to_string(12.5 + 0.0002 * (i % 5)) + "," +
+            std::to_string(60.0 + 0.0001 * (i / 5)) + ",9\n";
+  }
+  const ImportedSeafloor r = import_seafloor(write("a.csv", rows));
+  const Vec2 local = local_of(r, Vec2(12.5004, 60.0002));
+  EXPECT_LT((local - 0.5 * (extent(r.seafloor).min + extent(r.seafloor).max)).norm(), 1.0);
+  EXPECT_NEAR((in_file_of(r, local) - Vec2(12.5004, 60.0002)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(r.convergence_deg, -2.165, 0.01);
+  EXPECT_THAT(refusal([&] { return local_of(r, Vec2(361'000.0, 6'654'000.0)); }),
+              HasSubstr("is in degrees"));
+}
+
 TEST_F(ForeignFiles, ReadableTextIsNeverCalledGarbled) {
   const auto says = [&](const std::string& text) {
     return refusal([&] { return import_seafloor(write("a.asc", text)); });
