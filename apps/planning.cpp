@@ -135,6 +135,9 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
                     planner.name, site.imported.file, footprint_width_m(how), how.sonar.beams,
                     how.resolution_m));
   }
+  if (std::string note = unserved_note(site, plan.route); !note.empty()) {
+    plan.notes.push_back(std::move(note));
+  }
   if (!plan.heading) plan.heading = how.heading;
   if (plan.heading) {
     plan.notes.push_back(fmt::format("straight lines run along {}",

@@ -30,9 +30,16 @@ struct AreaImportOptions {
 /// Outlines of up to this many corners are taken as they are.
 inline constexpr std::size_t kManyCorners = 1000;
 
+/// A polygon as the file names it; without a name it is empty.
+struct AreaPart {
+  std::string name;
+  Area area;  ///< local metres
+};
+
 /// Polygons of a file, united, and what of the file is not in them.
 struct ImportedArea {
   Area area;                       ///< local metres
+  std::vector<AreaPart> parts;     ///< one by one
   std::vector<std::string> notes;  ///< one sentence each, for people
 };
 
