@@ -67,7 +67,7 @@ TEST(FittedLines, ABudgetMayHoldFarFewerRowsThanTheAreaAsksFor) {
 TEST(FittedLines, NoFloorOfCoverageWhereNothingPassesIt) {
   const ScoredSite site(flat(60.0, 40.0, 10.0), 10.0);
   PlanOptions options = quarter_metre();
-  options.pings.spacing_m = 1.0;  // one row of cells in four
+  options.pings.spacing_m = 4.0;  // one row of cells in sixteen
   const Plan plan = plan_fitted_lines(site.ground, options);
   EXPECT_EQ(fault(plan.route), std::nullopt);
   EXPECT_LT(plan.choices[plan.chosen].cover_pct, 70.0);
