@@ -68,7 +68,12 @@ double extent_in_longitude(const std::vector<Vec2>& ring) {
 
 }  // namespace
 
-std::vector<std::vector<CutPlace>> cut_at_180(const std::vector<Vec2>& lonlat) {
+std::vector<std::vector<CutPlace>> cut_at_180(const std::vector<Vec2>& line) {
+  std::vector<Vec2> lonlat = line;
+  for (std::size_t i = 1; i < lonlat.size(); ++i) {
+    // 180 and -180 are one place: from there to there is no way around the world.
+    if (std::abs(lonlat[i].x() - lonlat[i - 1].x()) == 360.0) lonlat[i].x() = lonlat[i - 1].x();
+  }
   std::vector<std::vector<CutPlace>> parts(1);
   for (std::size_t i = 0; i < lonlat.size(); ++i) {
     parts.back().push_back({lonlat[i], i});

@@ -25,9 +25,9 @@ struct CutPlace {
 };
 /// A line of longitudes and latitudes in parts that do not cross 180 degrees (RFC 7946, 3.1.9); one
 /// part if it does not cross.
-[[nodiscard]] std::vector<std::vector<CutPlace>> cut_at_180(const std::vector<Vec2>& lonlat);
+[[nodiscard]] std::vector<std::vector<CutPlace>> cut_at_180(const std::vector<Vec2>& line);
 /// The same for a ring without its closing point; parts without an area are left out.
-[[nodiscard]] std::vector<std::vector<Vec2>> ring_cut_at_180(const std::vector<Vec2>& lonlat);
+[[nodiscard]] std::vector<std::vector<Vec2>> ring_cut_at_180(const std::vector<Vec2>& line);
 
 /// '[lon,lat]' to a micrometre.
 [[nodiscard]] std::string geojson_lonlat(const Vec2& lonlat);

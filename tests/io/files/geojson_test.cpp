@@ -50,6 +50,9 @@ TEST(GeoJson, LinesAreCutAt180Degrees) {
   const auto leaving = cut_at_180({{180.0, 0.0}, {-179.0, 0.0}, {-178.0, 0.0}});
   ASSERT_EQ(leaving.size(), 1U);
   EXPECT_EQ(leaving[0].front().lonlat, Vec2(-180.0, 0.0));
+  const auto still = cut_at_180({{180.0, 0.0}, {-180.0, 1.0}});
+  ASSERT_EQ(still.size(), 1U);
+  EXPECT_EQ(still[0].size(), 2U);
 }
 
 TEST(GeoJson, RingsAreCutAt180Degrees) {
