@@ -28,7 +28,13 @@ void run(const ExportCommand& command) {
   const std::string stem = command.route.stem().string();
   check_export_crs(options.formats, route.geographic.frame);
   remove_exports(folder, stem, options.formats);
-  const auto exported = export_route(folder, stem, route.geographic, route.planar, options);
+  std::string why;
+  const ExportOptions kept = sailable_exports(route.planar.route, nullptr, options, why);
+  if (kept.formats.empty()) {
+    throw InvalidInput(fmt::format("'{}': {}", command.route.string(), why));
+  }
+  if (!why.empty()) fmt::print(stderr, "warning: {}\n", why);
+  const auto exported = export_route(folder, stem, route.geographic, route.planar, kept);
   if (command.quiet) return;
   for (const std::string& note : route.notes) fmt::print(stderr, "note: {}\n", in_flags(note));
   fmt::print("{}", export_table(exported));

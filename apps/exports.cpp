@@ -1,6 +1,7 @@
 #include "apps/exports.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -68,16 +69,61 @@ void print_export_warnings(const Route& route, const std::vector<ExportedRoute>&
   }
 }
 
-void write_exports(const std::filesystem::path& folder, const Route& route, const Site& site,
-                   const ExportOptions& options, bool quiet) {
+namespace {
+
+/// Metres of legs that must not be sailed.
+double astray_m(const Route& route, const AreaQuery* water) {
+  constexpr double kDust = 0.01;
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < route.waypoints.size(); ++i) {
+    const Waypoint& w = route.waypoints[i];
+    if (w.feasible) continue;
+    const Vec2& next = route.waypoints[i + 1].position;
+    const double length = (next - w.position).norm();
+    const double inside = water != nullptr             ? water->inside_length(w.position, next)
+                          : w.kind == LegKind::transit ? 0.0
+                                                       : length;
+    if (length - inside > kDust) sum += length - inside;
+  }
+  return sum;
+}
+
+}  // namespace
+
+ExportOptions sailable_exports(const Route& route, const AreaQuery* water,
+                               const ExportOptions& options, std::string& why) {
+  const double astray = astray_m(route, water);
+  if (!(astray > 0.0)) return options;
+  ExportOptions kept = options;
+  std::erase_if(kept.formats, [](ExportFormat format) { return is_geographic(format); });
+  if (kept.formats.size() == options.formats.size()) return options;
+  std::vector<std::string_view> left_out;
+  for (const ExportFormat format : options.formats) {
+    if (is_geographic(format)) left_out.push_back(name(format));
+  }
+  why = fmt::format(
+      "no {} was written: {:.0f} m of the way between lines are marked infeasible{}, and a vehicle "
+      "would sail them; lnw and dxf can be had",
+      fmt::join(left_out, ", "), astray,
+      water != nullptr ? " and lead over land or through a no-go area" : "");
+  return kept;
+}
+
+std::string write_exports(const std::filesystem::path& folder, const Route& route, const Site& site,
+                          const ExportOptions& asked, bool quiet) {
   remove_exports(folder, "route", all_export_formats());
-  if (options.formats.empty()) return;
+  if (asked.formats.empty()) return {};
   const AreaQuery water(site.water);
+  std::string why;
+  const ExportOptions options = sailable_exports(route, &water, asked, why);
+  if (!why.empty()) fmt::print(stderr, "warning: {}\n", why);
+  if (options.formats.empty()) return why;
   const PlacedRoute placed{route, site.seafloor().frame, &water};
   const auto exported = export_route(folder, "route", placed, placed, options);
-  if (quiet) return;
+  if (quiet) return why;
   fmt::print(stderr, "{}", export_table(exported));
   print_export_warnings(route, exported);
+  return why;
 }
 
 }  // namespace swathplan

@@ -18,10 +18,16 @@ namespace swathplan {
 /// and what each export warns of.
 void print_export_warnings(const Route& route, const std::vector<ExportedRoute>& exported);
 
-/// Writes the exports of a planned route beside its route.csv and removes those of an older one.
-/// Thinned paths stay in the site's safe water. A table of the exports goes to stderr if there are
-/// any, and so do warnings.
-void write_exports(const std::filesystem::path& folder, const Route& route, const Site& site,
-                   const ExportOptions& options, bool quiet);
+/// The options without the formats that a vehicle sails by, where the route holds a leg that must
+/// not be sailed: one that is marked infeasible and leaves the water or, where no water is known, a
+/// transit that is marked. `why` says so; it stays empty where nothing is left out.
+[[nodiscard]] ExportOptions sailable_exports(const Route& route, const AreaQuery* water,
+                                             const ExportOptions& options, std::string& why);
+
+/// Writes the exports of a planned route beside its route.csv, kept to the site's safe water, and
+/// removes those of an older one; their table goes to stderr if there are any, as do warnings.
+/// Returns why formats are left out (sailable_exports), else nothing.
+std::string write_exports(const std::filesystem::path& folder, const Route& route, const Site& site,
+                          const ExportOptions& options, bool quiet);
 
 }  // namespace swathplan

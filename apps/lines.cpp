@@ -26,6 +26,7 @@ struct LinesCommand {
   std::vector<std::string> methods{"auto"};
   double opening_deg = 120.0, overlap_pct = 0.0, missed_pct = 0.05;
   std::optional<double> heading_deg;
+  std::string north = "true";
 };
 
 const std::vector<std::pair<std::string, LineMethod>> kMethods{
@@ -52,7 +53,6 @@ LineDesignOptions design_options(const LinesCommand& c) {
   LineDesignOptions options;
   options.overlap = c.overlap_pct / 100.0;
   options.most_missed = c.missed_pct / 100.0;
-  if (c.heading_deg) options.heading = Angle::degrees(*c.heading_deg);
   check(options);
   return options;
 }
@@ -69,7 +69,8 @@ OptionTable own_options(LinesCommand& c) {
           real("--missed", group, c.missed_pct, kPerCent, between(0.0, 100.0),
                "Per cent of the area that may be missed", "missed_pct"),
           real("--heading", group, c.heading_deg, kDegrees, any_number(),
-               "Azimuth of straight lines, degrees (default: searched)", "heading_deg")};
+               "Azimuth of straight lines, degrees (default: searched)", "heading_deg"),
+          north_option(group, c.north)};
 }
 
 /// The rows of the vehicle that lines depend on.
@@ -111,23 +112,41 @@ std::string row(const std::string& method, const DesignedLines& d) {
 std::string missed_note(const std::string& method, const DesignedLines& d, double allowed_pct) {
   if (100.0 * d.figures.missed <= allowed_pct) return {};
   return fmt::format(
-      "note: {}: misses {:.3f} % of the area, more than --missed {:g} allows; shoals and ragged "
-      "edges leave gaps that cost many lines: allow more, or use 'plan' in confined water\n",
+      "{}: misses {:.3f} % of the area, more than --missed {:g} allows; shoals and ragged edges "
+      "leave gaps that cost many lines: allow more, or use 'plan' in confined water",
       method, 100.0 * d.figures.missed, allowed_pct);
 }
 
-void write_lines(const std::filesystem::path& folder, const DesignedLines& designed,
-                 const Site& site, const DesignGround& judge, const Vehicle& vehicle,
-                 const ExportOptions& exports, const LinesCommand& c) {
+/// Returns why exports are left out, else nothing; `unserved`: the polygons without a line.
+std::string write_lines(const std::filesystem::path& folder, const DesignedLines& designed,
+                        const Site& site, const DesignGround& judge, const Vehicle& vehicle,
+                        const ExportOptions& exports, const LinesCommand& c,
+                        std::string& unserved) {
   const Frame& frame = site.seafloor().frame;
   const Route route = route_of(designed, site.water, Angle::degrees(c.opening_deg), vehicle);
   write_route_csv(folder / "route.csv", route, frame);
   write_route_geojson(folder, route, frame);
-  write_exports(folder, route, site, exports, c.output.quiet);
+  unserved = unserved_note(site, route);
+  const std::string why = write_exports(folder, route, site, exports, c.output.quiet);
   write_lines_png(folder / "lines.png", judge.swaths, designed.lines,
                   fmt::format("{}\n{:.1f} km, {:.3f} of the least, {:.3f} % missed", designed.what,
                               designed.figures.length_m / 1000.0, designed.figures.ratio(),
                               100.0 * designed.figures.missed));
+  return why;
+}
+
+/// Says what a small --missed costs; empty where lines lie about as far apart as was asked for.
+std::string overlap_note(const std::string& method, const DesignedLines& d, const LinesCommand& c) {
+  constexpr double kMuchPct = 50.0;
+  const double overlap_pct = 100.0 * d.figures.overlap;
+  if (overlap_pct < c.overlap_pct + kMuchPct) return {};
+  return fmt::format(
+      "{}: the {} lines overlap by {:.0f} %, {:.1f} times the least length: they are laid to miss "
+      "no "
+      "more than {:g} % of the area (--missed{}), and a few places, such as shoal ground or ragged "
+      "edges, ask for that many; a larger --missed takes fewer",
+      method, d.figures.lines, overlap_pct, d.figures.ratio(), c.missed_pct,
+      c.missed_pct == LinesCommand{}.missed_pct ? ", the default" : "");
 }
 
 void run(const LinesCommand& c) {
@@ -137,6 +156,8 @@ void run(const LinesCommand& c) {
   const Vehicle vehicle = vehicle_of(c.vehicle);
   const auto site = load_site(c.site, vehicle);
   check_export_crs(exports.formats, site->seafloor().frame);
+  options.grid_north = Angle::degrees(site->imported.convergence_deg);
+  if (c.heading_deg) options.heading = grid_heading(*c.heading_deg, c.north, site->imported);
   print_notes(*site, c.output.quiet);
   check_folder(c.output.folder);
   const Ground planning = site->ground(nullptr);
@@ -145,6 +166,7 @@ void run(const LinesCommand& c) {
   const DesignGround judge(planning, opening, vehicle.draft_m, kJudgeCells);
   const Provenance provenance = provenance_of(c, vehicle, site->imported.input_hash);
   auto json = provenance_json(provenance);
+  json["meridian_convergence_deg"] = site->imported.convergence_deg;
   json["methods"] = nlohmann::ordered_json::array();
   std::string table =
       fmt::format("{:<15} {:>6} {:>6} {:>11} {:>8} {:>9} {:>9}  {}\n", "method", "lines", "passes",
@@ -153,10 +175,21 @@ void run(const LinesCommand& c) {
   for (const std::string& name : c.methods) {
     options.method = method_of(name);
     const DesignedLines designed = design_lines(planning, search, judge, options);
-    write_lines(c.output.folder / name, designed, *site, judge, vehicle, exports, c);
+    std::string unserved;
+    const std::string left_out =
+        write_lines(c.output.folder / name, designed, *site, judge, vehicle, exports, c, unserved);
+    if (!unserved.empty()) unserved = name + ": " + unserved;
     json["methods"].push_back(figures_json(name, designed));
+    json["methods"].back()["exports_left_out"] =
+        left_out.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(left_out);
+    json["methods"].back()["notes"] = nlohmann::ordered_json::array();
     table += row(name, designed);
-    notes += missed_note(name, designed, 100.0 * options.most_missed);
+    for (const std::string& note : {missed_note(name, designed, 100.0 * options.most_missed),
+                                    overlap_note(name, designed, c), unserved}) {
+      if (note.empty()) continue;
+      json["methods"].back()["notes"].push_back(note);
+      notes += fmt::format("note: {}\n", note);
+    }
   }
   write_text_atomically(c.output.folder / "lines.json", json_text(json));
   write_survey_toml(c.output.folder, provenance);

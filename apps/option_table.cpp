@@ -267,6 +267,14 @@ OptionTable only(const OptionTable& table, const std::vector<std::string>& flags
   return some;
 }
 
+OptionTable without(const OptionTable& table, const std::vector<std::string>& flags) {
+  OptionTable rest = table;
+  std::erase_if(rest, [&](const Option& option) {
+    return std::find(flags.begin(), flags.end(), long_flag(option)) != flags.end();
+  });
+  return rest;
+}
+
 std::string long_flag(const Option& option) {
   return option.flag.substr(option.flag.find(',') + 1);
 }

@@ -106,6 +106,9 @@ using OptionTable = std::vector<Option>;
 /// The rows with these flags, in the order of the table.
 [[nodiscard]] OptionTable only(const OptionTable& table, const std::vector<std::string>& flags);
 
+/// The rows without those of these flags.
+[[nodiscard]] OptionTable without(const OptionTable& table, const std::vector<std::string>& flags);
+
 /// "--output" of "-o,--output".
 [[nodiscard]] std::string long_flag(const Option& option);
 /// "longest edge" of "--longest-edge": the name that libraries use in their errors.

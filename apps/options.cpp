@@ -67,8 +67,11 @@ bool is_field(const std::string& text) {
 OptionTable site_options(SiteOptions& o, bool with_file) {
   Option file = argument("FILE", o.file, "Seafloor: mesh, grid or soundings");
   file.required = with_file;
-  Option z_unit = real("--z-unit", kSeafloorGroup, o.z_unit_m, kMetres, above(0.0),
-                       "Unit of z: metre, foot, us-foot, fathom or metres in one unit", "z_unit_m");
+  Option z_unit =
+      real("--z-unit", kSeafloorGroup, o.z_unit_m, kMetres, above(0.0),
+           "Unit of z: metre, foot, us-foot, fathom or metres in one unit (default: what "
+           "the file says, else metres)",
+           "z_unit_m");
   z_unit.words = {{"metre", 1.0},    {"meter", 1.0}, {"m", 1.0},
                   {"foot", 0.3048},  {"ft", 0.3048}, {"us-foot", 1200.0 / 3937.0},
                   {"fathom", 1.8288}};
@@ -80,6 +83,8 @@ OptionTable site_options(SiteOptions& o, bool with_file) {
            "Height of still water in FILE's datum, metres", "water_level_m"),
       choice("--z-positive", kSeafloorGroup, o.z_positive, {"up", "down"},
              "Which way z counts in FILE", "z_positive"),
+      choice("--up", kSeafloorGroup, o.up, {"ask", "y", "z"},
+             "Axis of a mesh that points up; ask: z, and meshes that look y up are refused", "up"),
       z_unit,
       real("--xy-unit", kSeafloorGroup, o.xy_unit_m, kMetres, above(0.0),
            "Metres in one horizontal unit, where the CRS does not say", "xy_unit_m"),
@@ -349,10 +354,13 @@ OptionTable planning_options(PlanningChoice& o) {
            "run_in_m"),
       real("--run-out", kPlanningGroup, o.run_out_m, kMetres, any_number(),
            "... and behind each line, metres", "run_out_m"),
-      text("--start", kPlanningGroup, o.start, "Begin near X,Y (coordinates of FILE)", "start"),
+      text("--start", kPlanningGroup, o.start,
+           "Begin near X,Y (coordinates of FILE; where these are degrees, longitude,latitude)",
+           "start"),
       real("--heading", kPlanningGroup, o.heading_deg, kDegrees, at_least_under(0.0, 360.0),
            "Azimuth of straight lines, degrees (default: the one with the fewest lines)",
            "heading_deg"),
+      north_option(kPlanningGroup, o.north),
       choice("--lines", kPlanningGroup, o.lines, {"straight", "field", "auto"},
              "fitted-lines: straight lines, field lines along fronts from long walls, or both "
              "tried",
@@ -393,6 +401,11 @@ OptionTable planning_options(PlanningChoice& o) {
     if (option.flag == "--length") option.excludes = {"--time"};
   }
   return table;
+}
+
+Option north_option(const std::string& group, std::string& north) {
+  return choice("--north", group, north, {"true", "grid"},
+                "North that --heading counts from: true, or that of the CRS's grid", "north");
 }
 
 Option mission_items_option(const std::string& group, ExportChoice& choice) {

@@ -16,9 +16,8 @@ struct SiteOptions {
   std::filesystem::path file;
   std::string crs, columns;
   double water_level_m = 0.0;
-  std::string z_positive = "up";
-  double z_unit_m = 1.0;
-  std::optional<double> xy_unit_m, longest_edge_m, nodata_value;
+  std::string z_positive = "up", up = "ask";
+  std::optional<double> z_unit_m, xy_unit_m, longest_edge_m, nodata_value;
   std::filesystem::path area, no_go;
   std::vector<std::string> layers;  ///< of these files; empty: the only one
   double buffer_m = 0.0;            ///< room around their lines and points; 0: these do not count
@@ -71,6 +70,7 @@ struct PlanningChoice {
   double run_in_m = 0.0, run_out_m = 0.0;
   std::string start;
   std::optional<double> heading_deg;
+  std::string north = "true";
   std::string lines = "auto";
   std::optional<double> goal_coverage_pct, goal_length_m, goal_time_h;
   std::string cover = "hit", counted = "logged", angles = "line";
@@ -125,6 +125,8 @@ struct ExportChoice {
 /// Of `plan` and `score`.
 [[nodiscard]] OptionTable criteria_options(CriteriaChoice& criteria);
 [[nodiscard]] OptionTable planning_options(PlanningChoice& planning);
+/// Which north a heading counts from: a row of all commands that take one.
+[[nodiscard]] Option north_option(const std::string& group, std::string& north);
 /// Of `plan`, `compare` and `lines`, in a group of their own.
 [[nodiscard]] OptionTable exporting_options(ExportChoice& choice);
 /// The row that `export` shares with them.

@@ -8,6 +8,7 @@
 
 #include "apps/progress.h"
 #include "coverage/standards/criterion_fan.h"
+#include "io/files/crs.h"
 #include "mesh/base/error.h"
 #include "planners/fitted/edge_following.h"
 #include "planners/fitted/fitted_lines.h"
@@ -15,6 +16,7 @@
 #include "planners/nuc/nuc.h"
 #include "planners/rows/back_and_forth.h"
 #include "planners/rows/multi_depth.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
@@ -166,6 +168,7 @@ PlannedSurvey recorded(const std::string& planner, const std::string& label, Pla
                        std::move(scored)};
   result.record.planner = planner;
   result.record.label = label;
+  result.record.grid_north = Angle::degrees(site.imported.convergence_deg);
   result.record.notes.insert(result.record.notes.end(), site.notes.begin(), site.notes.end());
   return result;
 }
@@ -173,16 +176,17 @@ PlannedSurvey recorded(const std::string& planner, const std::string& label, Pla
 PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Survey& survey,
                              const Scorer& scorer) {
   const auto start = std::chrono::steady_clock::now();
-  PlanOptions how = planning_in(survey, site.seafloor().frame);
+  PlanOptions how = planning_in(survey, site.imported);
   std::vector<std::string> notes;
   how.sonar = counted_on(site, survey, notes);
   Plan plan = planner.plan(scorer.ground(), how);
   plan.notes.insert(plan.notes.end(), notes.begin(), notes.end());
   if (how.start && !contains(site.water, *how.start) && !plan.route.waypoints.empty()) {
-    const Vec2 first = site.seafloor().frame.to_file(plan.route.waypoints.front().position);
+    const Vec2 first = in_file_of(site.imported, plan.route.waypoints.front().position);
+    const int decimals = is_geographic(site.imported.file_crs_wkt) ? 6 : 1;
     plan.notes.push_back(
-        fmt::format("--start {} is not in safe water; the route begins at {:.1f},{:.1f}",
-                    survey.start_text, first.x(), first.y()));
+        fmt::format("--start {0} is not in safe water; the route begins at {1:.{3}f},{2:.{3}f}",
+                    survey.start_text, first.x(), first.y(), decimals));
   }
   if (plan.route.waypoints.size() < 2) {
     throw InvalidInput(
@@ -190,6 +194,14 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
                     "--resolution {:g}); use finer cells or another --planner",
                     planner.name, site.imported.file, footprint_width_m(how), how.sonar.beams,
                     how.resolution_m));
+  }
+  if (std::string note = unserved_note(site, plan.route); !note.empty()) {
+    plan.notes.push_back(std::move(note));
+  }
+  if (!plan.heading) plan.heading = how.heading;
+  if (plan.heading) {
+    plan.notes.push_back(fmt::format("straight lines run along {}",
+                                     azimuth_text(plan.heading->deg(), how.grid_north.deg())));
   }
   const double planning = seconds_since(start);
   ScoredRoute scored = scorer.score(planner.label, plan.route);

@@ -1,11 +1,15 @@
 #include "apps/site.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "io/files/crs.h"
 #include "io/seafloor/area_import.h"
 #include "mesh/base/error.h"
+#include "mesh/plane/area_query.h"
 #include "mesh/survey_area.h"
 
 namespace swathplan {
@@ -74,8 +78,9 @@ Area limited_area(const Seafloor& seafloor, const SurveyAreaOptions& bounds,
 }
 
 /// The polygons of a file. Shapes that do not count are named in the site's notes.
-Area imported_area(Site& site, const SiteOptions& options, const std::filesystem::path& file,
-                   const Box2& data, double clearance_m, Rounding rounding) {
+ImportedArea imported_area(Site& site, const SiteOptions& options,
+                           const std::filesystem::path& file, const Box2& data, double clearance_m,
+                           Rounding rounding) {
   ImportedArea read =
       import_area(file, site.seafloor().frame,
                   {.data_extent = data,
@@ -85,7 +90,7 @@ Area imported_area(Site& site, const SiteOptions& options, const std::filesystem
                    .most_tolerance_m = kMostRounding,
                    .rounding = rounding});
   for (const std::string& note : read.notes) site.notes.push_back(in_flags(note));
-  return std::move(read.area);
+  return read;
 }
 
 /// Notes how much of the area that was asked for cannot be planned, since there are no data.
@@ -97,6 +102,17 @@ void note_beyond_data(Site& site, const Area& asked) {
       beyond_m2, area_m2(asked)));
 }
 
+/// Says that grid north is not true north.
+void note_grid_north(Site& site) {
+  constexpr double kWorthSayingDeg = 0.05;
+  const double deg = site.imported.convergence_deg;
+  if (std::abs(deg) < kWorthSayingDeg) return;
+  site.notes.push_back(fmt::format(
+      "grid north of {} lies {:.2f} degrees {} of true north at the middle of the data; headings "
+      "are true (--north grid for the grid's)",
+      site.imported.crs_name, std::abs(deg), deg > 0.0 ? "east" : "west"));
+}
+
 /// The strip along the data's outer edge, `margin_m` wide. Holes in the data count as land.
 Area beyond_the_edge(const Seafloor& seafloor, double margin_m) {
   Area filled;
@@ -105,6 +121,46 @@ Area beyond_the_edge(const Seafloor& seafloor, double margin_m) {
 }
 
 }  // namespace
+
+namespace {
+
+bool serves(const Route& route, const Area& part) {
+  const AreaQuery query(part);
+  for (std::size_t i = 0; i + 1 < route.waypoints.size(); ++i) {
+    const Waypoint& w = route.waypoints[i];
+    const bool on_line =
+        w.kind == LegKind::line || w.kind == LegKind::cross || w.kind == LegKind::infill;
+    if (on_line && query.inside_length(w.position, route.waypoints[i + 1].position) > 0.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string title(const AreaPart& part, const Site& site) {
+  const bool degrees = is_geographic(site.imported.file_crs_wkt);
+  const Vec2 at = in_file_of(site.imported, inner_point(part.area));
+  const std::string place = fmt::format("({0:.{2}f}, {1:.{2}f})", at.x(), at.y(), degrees ? 6 : 1);
+  return part.name.empty() ? "the one about " + place
+                           : fmt::format("'{}' about {}", part.name, place);
+}
+
+}  // namespace
+
+std::string unserved_note(const Site& site, const Route& route) {
+  std::vector<std::string> names;
+  for (const AreaPart& part : site.parts) {
+    if (part.area.empty() || serves(route, part.area)) continue;
+    const double whole_m2 = area_m2(part.area);
+    const double surveyed_m2 = area_m2(intersect(part.area, site.survey_area));
+    names.push_back(fmt::format("{} ({:.0f} of {:.0f} m2 are survey area, {:.0f} m2 safe water)",
+                                title(part, site), surveyed_m2, whole_m2,
+                                area_m2(intersect(part.area, site.water))));
+  }
+  if (names.empty()) return {};
+  return fmt::format("{} of {} polygons of the area {} no survey line: {}", names.size(),
+                     site.parts.size(), names.size() == 1 ? "has" : "have", fmt::join(names, "; "));
+}
 
 std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehicle) {
   auto site = std::make_unique<Site>();
@@ -115,7 +171,8 @@ std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehic
   const Box2 data = extent(site->seafloor());
   if (!options.no_go.empty()) {
     site->no_go = bounds.no_go =
-        imported_area(*site, options, options.no_go, data, vehicle.clearance_m, Rounding::around);
+        imported_area(*site, options, options.no_go, data, vehicle.clearance_m, Rounding::around)
+            .area;
   }
   const Area deep = survey_area(site->seafloor(), bounds);
   Area sailable = deep;
@@ -130,11 +187,14 @@ std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehic
                     vehicle.clearance_m));
   }
   if (!options.area.empty()) {
-    bounds.limit =
+    ImportedArea asked =
         imported_area(*site, options, options.area, data, vehicle.clearance_m, Rounding::within);
+    bounds.limit = std::move(asked.area);
+    if (asked.parts.size() > 1) site->parts = std::move(asked.parts);
     note_beyond_data(*site, *bounds.limit);
   }
   site->survey_area = bounds.limit ? limited_area(site->seafloor(), bounds, options.area) : deep;
+  note_grid_north(*site);
   note_shoals(*site, bounds);
   note_cut_off(*site);
   return site;

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "apps/survey.h"
+#include "io/seafloor/area_import.h"
 
 namespace swathplan {
 
@@ -13,6 +14,7 @@ struct Site {
   Area survey_area;  ///< cells that count
   Area water;        ///< safe for the boat: deep enough, clear of walls and no-go
   Area no_go;
+  std::vector<AreaPart> parts;     ///< the polygons that were asked for, where there are several
   double cut_off_m2 = 0.0;         ///< of the survey area outside the safe water
   std::vector<std::string> notes;  ///< one sentence each, for people
 
@@ -22,6 +24,10 @@ struct Site {
     return {&imported.seafloor, depths.get(), survey_area, water, scene};
   }
 };
+
+/// Which of the area's polygons the route has no survey line in, by name or place and with what of
+/// them can be surveyed: one sentence, empty where each has one.
+[[nodiscard]] std::string unserved_note(const Site& site, const Route& route);
 
 /// Imports the seafloor and the polygons and derives the areas for a vehicle.
 /// @throws InvalidInput, UsageError as the importers do.

@@ -217,7 +217,6 @@ PlanOptions planning_of(const SurveyOptions& options, const Survey& survey) {
   if (o.smooth == "ipopt") result.smooth = smoothing_for(result);
   result.run_in_m = o.run_in_m;
   result.run_out_m = o.run_out_m;
-  if (o.heading_deg) result.heading = Angle::degrees(*o.heading_deg);
   result.lines = o.lines == "straight" ? LineSource::straight
                  : o.lines == "field"  ? LineSource::field
                                        : LineSource::automatic;
@@ -296,15 +295,28 @@ Survey survey_of(const SurveyOptions& o) {
   survey.scoring.noise = noise_of(o.noise);
   survey.judging = judging_of(o.criteria, survey.sonar, o.scoring.sound_speed_mps);
   survey.planning = planning_of(o, survey);
+  survey.heading_deg = o.planning.heading_deg;
+  survey.north = o.planning.north;
   survey.start_text = o.planning.start;
   if (!survey.start_text.empty()) survey.start_xy = start_point(survey.start_text);
   return survey;
 }
 
-PlanOptions planning_in(const Survey& survey, const Frame& frame) {
+PlanOptions planning_in(const Survey& survey, const ImportedSeafloor& data) {
   PlanOptions options = survey.planning;
-  if (survey.start_xy) options.start = frame.to_local(*survey.start_xy);
+  options.grid_north = Angle::degrees(data.convergence_deg);
+  if (survey.heading_deg) options.heading = grid_heading(*survey.heading_deg, survey.north, data);
+  if (!survey.start_xy) return options;
+  try {
+    options.start = local_of(data, *survey.start_xy);
+  } catch (const InvalidInput& e) {
+    throw UsageError(fmt::format("--start {}: {}", survey.start_text, e.what()));
+  }
   return options;
+}
+
+Angle grid_heading(double heading_deg, const std::string& north, const ImportedSeafloor& data) {
+  return Angle::degrees(north == "grid" ? heading_deg : heading_deg - data.convergence_deg);
 }
 
 VehicleChoice in_force(const VehicleChoice& typed, const Vehicle& vehicle) {
@@ -351,6 +363,9 @@ ImportOptions import_options(const SiteOptions& o) {
   result.water_level_m = o.water_level_m;
   result.z_positive =
       o.z_positive == "down" ? ImportOptions::ZPositive::down : ImportOptions::ZPositive::up;
+  result.up = o.up == "y"   ? ImportOptions::Up::y
+              : o.up == "z" ? ImportOptions::Up::z
+                            : ImportOptions::Up::ask;
   result.z_unit_m = o.z_unit_m;
   result.xy_unit_m = o.xy_unit_m;
   result.longest_edge_m = o.longest_edge_m;

@@ -24,11 +24,13 @@ struct Judging {
 struct Survey {
   Sonar sonar;
   Vehicle vehicle;
-  PlanOptions planning;  ///< without its start, which the seafloor's frame places
+  PlanOptions planning;  ///< without its start and heading, which the seafloor's frame places
   ScoreOptions scoring;
   std::optional<Judging> judging;  ///< empty: by no criterion
   std::optional<Vec2> start_xy;    ///< where to begin, in the coordinates of the seafloor's file
   std::string start_text;          ///< the same as it was typed
+  std::optional<double> heading_deg;
+  std::string north;  ///< that it counts from: 'true' or 'grid'
 };
 
 /// @throws UsageError that names flag, value and rule.
@@ -36,8 +38,13 @@ struct Survey {
 [[nodiscard]] Vehicle vehicle_of(const VehicleChoice& choice);
 [[nodiscard]] Survey survey_of(const SurveyOptions& options);
 
-/// The options of the planner, its start placed in the frame.
-[[nodiscard]] PlanOptions planning_in(const Survey& survey, const Frame& frame);
+/// The options of the planner, its start and heading placed in the frame of the data.
+/// @throws UsageError for a start that has no place there.
+[[nodiscard]] PlanOptions planning_in(const Survey& survey, const ImportedSeafloor& data);
+
+/// The azimuth in the frame of the data: `north` is 'true' or 'grid'.
+[[nodiscard]] Angle grid_heading(double heading_deg, const std::string& north,
+                                 const ImportedSeafloor& data);
 
 /// What was typed, with the values that follow from it where none was given.
 [[nodiscard]] VehicleChoice in_force(const VehicleChoice& typed, const Vehicle& vehicle);

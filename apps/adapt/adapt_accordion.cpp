@@ -151,11 +151,23 @@ double mean_depth(const SurveyBox& box, const DepthQuery& depths) {
   return sum / count;
 }
 
+/// The box as the frame of the data counts: its corner from the file's coordinates, its azimuth
+/// from true north.
+BoxOptions in_frame(BoxOptions box, const ImportedSeafloor& data) {
+  box.azimuth_deg -= data.convergence_deg;
+  if (box.corner.empty()) return box;
+  const Vec2 corner =
+      data.seafloor.frame.to_file(local_of(data, Vec2(box.corner[0], box.corner[1])));
+  box.corner = {corner.x(), corner.y()};
+  return box;
+}
+
 void simulate_seafloor(const AccordionCommand& c) {
   const AccordionOptions o = accordion_of(c, kImageThreshold, kImageClearance);
   check(c.sonar);
   auto site = load_site(c.site, Vehicle{});
-  const SurveyBox box = box_of(c.box, o.width_m, o.length_m, site->seafloor().frame);
+  const SurveyBox box =
+      box_of(in_frame(c.box, site->imported), o.width_m, o.length_m, site->seafloor().frame);
   const double depth = mean_depth(box, *site->depths);
   const auto objects =
       dropped_objects(box, c.objects, o.nadir_gap_m + 3.0, *site->depths, c.output.seed);

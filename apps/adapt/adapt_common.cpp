@@ -96,7 +96,7 @@ OptionTable box_options(BoxOptions& options) {
   return {choice("--start-corner", "", options.start, {"sw", "se", "nw", "ne"},
                  "Where the first track begins (along the tracks is 'n')", "start_corner"),
           real("--azimuth", "", options.azimuth_deg, kDegrees, any_number(),
-               "Of the tracks, degrees from north", "azimuth_deg"),
+               "Of the tracks, degrees from true north", "azimuth_deg"),
           corner};
 }
 

@@ -149,9 +149,9 @@ std::vector<double> study_cell(const QualityCommand& c, const QualitySurveyOptio
       base.range_min_m +
       base.swath_m * static_cast<double>(cell % static_cast<std::size_t>(steps) + 1);
   const TrueQuality truth = true_quality(base, range, dead ? 0.0 : range);
-  std::vector<double> row{range, dead ? 0.0 : range,
-                          static_cast<double>(fewest_tracks(base, truth).size()),
-                          100.0 * covered_share(sail_preplanned(base, truth))};
+  std::vector<double> row{range, dead ? 0.0 : range};
+  if (optimum_known(base)) row.push_back(static_cast<double>(fewest_tracks(base, truth).size()));
+  row.push_back(100.0 * covered_share(sail_preplanned(base, truth)));
   for (const GapConstraint constraint : kConstraints) {
     QualitySurveyOptions o = base;
     o.constraint = constraint;
@@ -172,8 +172,10 @@ std::vector<double> study_cell(const QualityCommand& c, const QualitySurveyOptio
 }
 
 // What the optimum needs is a wide curve; what a variant needs beyond it tells them apart.
-Chart study_chart(const std::vector<std::vector<double>>& rows, std::size_t bins) {
-  Chart chart{"Quality survey: tracks beyond the exact optimum, both sides alike",
+// Without an optimum the tracks themselves are drawn.
+Chart study_chart(const std::vector<std::vector<double>>& rows, std::size_t bins, bool optimum) {
+  Chart chart{optimum ? "Quality survey: tracks beyond the exact optimum, both sides alike"
+                      : "Quality survey: tracks, both sides alike",
               "true range of good data, m",
               "",
               {}};
@@ -182,9 +184,9 @@ Chart study_chart(const std::vector<std::vector<double>>& rows, std::size_t bins
   for (const auto& [label, column] : curves) {
     ChartCurve curve{label, {}, {}, false};
     for (std::size_t i = 0; i < bins; ++i) {
-      if (rows[i][2] == 0.0) continue;
+      if (optimum && rows[i][2] == 0.0) continue;
       curve.x.push_back(rows[i][0]);
-      curve.y.push_back(rows[i][column] - rows[i][2]);
+      curve.y.push_back(optimum ? rows[i][column] - rows[i][2] : rows[i][column - 1]);
     }
     chart.curves.push_back(std::move(curve));
   }
@@ -200,26 +202,34 @@ void study(const QualityCommand& c) {
                       "to {} cost_weight {} turn_width_m {}",
                       c.output.seed, c.missions, c.failing, o.width_m, o.length_m, o.swath_m,
                       o.range_min_m, o.range_max_m, o.cost_weight, o.turn_width_m),
-          {"port_range_m", "starboard_range_m", "optimal_tracks", "preplanned_covered_pct"},
+          {"port_range_m", "starboard_range_m"},
           2 * bins,
           [&](std::size_t cell) { return study_cell(c, o, cell); }};
+  const bool optimum = optimum_known(o);
+  if (optimum) s.columns.emplace_back("optimal_tracks");
+  s.columns.emplace_back("preplanned_covered_pct");
   for (const GapConstraint constraint : kConstraints) {
     const std::string n(name(constraint));
     s.columns.insert(s.columns.end(),
                      {n + "_tracks", n + "_travel_m", n + "_covered_pct", n + "_noisy_tracks"});
   }
   const auto rows = run_study(s, c.output.folder, study_progress("quality", c.output.quiet));
-  write_chart_png(c.output.folder / "quality.png", study_chart(rows, bins));
+  write_chart_png(c.output.folder / "quality.png", study_chart(rows, bins, optimum));
   if (c.output.quiet) return;
+  if (!optimum) {
+    fmt::print(stderr, "note: swaths are too narrow for the exact optimum: it is left out\n");
+  }
   fmt::print(
       "port starboard optimum preplanned % |  tracks none mild strong | travel km none mild "
       "strong | noisy tracks none mild strong\n");
-  for (const auto& r : rows) {
+  for (std::vector<double> r : rows) {
+    const std::string fewest = optimum ? fmt::format("{:g}", r[2]) : "-";
+    if (!optimum) r.insert(r.begin() + 2, 0.0);  // the other columns keep their places
     fmt::print(
-        "{:4g} {:9g} {:7g} {:12.1f} | {:12g} {:4g} {:6g} | {:14.1f} {:5.1f} {:6.1f} | {:17.1f} "
+        "{:4g} {:9g} {:>7} {:12.1f} | {:12g} {:4g} {:6g} | {:14.1f} {:5.1f} {:6.1f} | {:17.1f} "
         "{:4.1f} {:6.1f}\n",
-        r[0], r[1], r[2], r[3], r[4], r[8], r[12], r[5] / 1e3, r[9] / 1e3, r[13] / 1e3, r[7], r[11],
-        r[15]);
+        r[0], r[1], fewest, r[3], r[4], r[8], r[12], r[5] / 1e3, r[9] / 1e3, r[13] / 1e3, r[7],
+        r[11], r[15]);
   }
 }
 
@@ -268,7 +278,9 @@ Command adapt_quality_command() {
                       joined({planner_options(*c), world_options(*c)}), c->output,
                       [c] { simulate(*c); }),
            adapt_mode("study", "All true ranges, both sides and port alone",
-                      joined({planner_options(*c),
+                      // A study compares all constraints, and its box lies nowhere.
+                      joined({without(planner_options(*c),
+                                      {"--constraint", "--start-corner", "--azimuth", "--corner"}),
                               {missions_option(c->missions, "With random failures, per cell"),
                                real("--failing", "", c->failing, kNoUnit, within(0.0, 0.9),
                                     "Share of range bins that fail by chance", "failing")}}),

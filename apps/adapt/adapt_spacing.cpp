@@ -339,7 +339,9 @@ Command adapt_spacing_command() {
                       joined({planner_options(*c), world_options(*c), mission_options(*c)}),
                       c->output, [c] { simulate(*c); }),
            adapt_mode("study", "Control against adaptive over believed and true ranges",
-                      joined({planner_options(*c),
+                      // A study has ranges of its own, and its box lies nowhere.
+                      joined({without(planner_options(*c),
+                                      {"--range", "--start-corner", "--azimuth", "--corner"}),
                               world_options(*c),
                               {missions_option(c->missions, "Per cell")}}),
                       c->output, [c] { study(*c); }),

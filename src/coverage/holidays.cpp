@@ -27,7 +27,7 @@ struct Gap {
   std::uint64_t cells = 0, footprint_cells = 0;
   double sum_column = 0.0, sum_row = 0.0;
   std::uint32_t low_column = ~0U, high_column = 0, low_row = ~0U, high_row = 0;
-  bool touches_outline = false;
+  bool touches_outline = false, touches_covered = false;
 
   void join(const Gap& o) {
     first_cell = std::min(first_cell, o.first_cell);
@@ -40,6 +40,7 @@ struct Gap {
     low_row = std::min(low_row, o.low_row);
     high_row = std::max(high_row, o.high_row);
     touches_outline = touches_outline || o.touches_outline;
+    touches_covered = touches_covered || o.touches_covered;
   }
 };
 
@@ -78,6 +79,7 @@ class RowReader {
     gap.high_column = run.end - 1;
     gap.low_row = gap.high_row = row;
     gap.touches_outline = outline(row, run);
+    gap.touches_covered = beside_covered(row, run);
     for (std::uint32_t c = run.first; c < run.end; ++c) {
       gap.footprint_cells += logged_ ? grid_.logged_footprint(base + c) : grid_.footprint(base + c);
     }
@@ -85,6 +87,21 @@ class RowReader {
   }
 
  private:
+  [[nodiscard]] bool covered(std::size_t cell) const {
+    return grid_.counts(cell) && (grid_.words()[cell] & mask_) != CoverageGrid::kInArea;
+  }
+
+  [[nodiscard]] bool beside_covered(std::uint32_t row, const Run& run) const {
+    const std::size_t base = std::size_t{row} * grid_.columns();
+    if (run.first > 0 && covered(base + run.first - 1)) return true;
+    if (run.end < grid_.columns() && covered(base + run.end)) return true;
+    for (std::uint32_t c = run.first; c < run.end; ++c) {
+      if (row > 0 && covered(base + c - grid_.columns())) return true;
+      if (row + 1 < grid_.rows() && covered(base + c + grid_.columns())) return true;
+    }
+    return false;
+  }
+
   [[nodiscard]] bool outline(std::uint32_t row, const Run& run) const {
     if (row == 0 || row + 1 == grid_.rows() || run.first == 0 || run.end == grid_.columns()) {
       return true;
@@ -264,6 +281,7 @@ class PositionSweep {
 
 HolidayCause cause_of(const Gap& gap) {
   if (2 * gap.footprint_cells >= gap.cells) return HolidayCause::between_beams;
+  if (!gap.touches_covered) return HolidayCause::no_line;
   return gap.touches_outline ? HolidayCause::edge : HolidayCause::between_lines;
 }
 
@@ -284,6 +302,8 @@ std::string_view name(HolidayCause cause) {
   switch (cause) {
     case HolidayCause::between_beams:
       return "between_beams";
+    case HolidayCause::no_line:
+      return "no_line";
     case HolidayCause::edge:
       return "edge";
     case HolidayCause::between_lines:

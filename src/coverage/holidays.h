@@ -12,6 +12,7 @@ namespace swathplan {
 enum class HolidayCause {
   between_beams,  ///< footprints cover at least half of its cells: beams lie farther apart than
                   ///< cells
+  no_line,        ///< it is all of a separate part of the survey area: no line serves that part
   edge,           ///< it touches the outline of the survey area
   between_lines   ///< no footprint reaches most of it: lines too far apart, or a shadow
 };

@@ -39,11 +39,13 @@ bool beats(const Outcome& shorter, const Outcome& outcome) {
 }
 
 Pick within(const std::vector<Outcome>& outcomes, const std::string& limit,
-            const std::function<bool(const Outcome&)>& may) {
+            const std::function<bool(const Outcome&)>& may,
+            const std::function<std::string(const Outcome&)>& takes) {
   const std::size_t found = best_of(outcomes, coverage, may);
   if (found != kNone) return {found, fmt::format("the most coverage within {}", limit)};
-  return {best_of(outcomes, shortness, every),
-          fmt::format("the shortest plan: none that was tried stays within {}", limit)};
+  const std::size_t shortest = best_of(outcomes, shortness, every);
+  return {shortest, fmt::format("NOT within {}: the shortest plan that was tried takes {}", limit,
+                                takes(outcomes[shortest]))};
 }
 
 }  // namespace
@@ -117,12 +119,16 @@ Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal, double pri
                         *goal.coverage_pct)};
   }
   if (goal.length_m) {
-    return within(outcomes, fmt::format("{:g} m of path", *goal.length_m),
-                  [&](const Outcome& o) { return o.length_m <= *goal.length_m; });
+    return within(
+        outcomes, fmt::format("{:g} m of path", *goal.length_m),
+        [&](const Outcome& o) { return o.length_m <= *goal.length_m; },
+        [](const Outcome& o) { return fmt::format("{:.0f} m", o.length_m); });
   }
   if (goal.time_s) {
-    return within(outcomes, fmt::format("{:.4g} h", *goal.time_s / 3600.0),
-                  [&](const Outcome& o) { return o.duration_s <= *goal.time_s; });
+    return within(
+        outcomes, fmt::format("{:.4g} h", *goal.time_s / 3600.0),
+        [&](const Outcome& o) { return o.duration_s <= *goal.time_s; },
+        [](const Outcome& o) { return fmt::format("{:.3g} h", o.duration_s / 3600.0); });
   }
   const bool steerable = std::all_of(outcomes.begin(), outcomes.end(),
                                      [](const Outcome& o) { return o.infeasible_legs == 0; });

@@ -77,8 +77,10 @@ struct PlanOptions {
   std::optional<SmoothOptions> smooth;
   double run_in_m = 0.0;   ///< sailed straight before each line, not logged; < 0 shortens the line
   double run_out_m = 0.0;  ///< the same behind each line
-  std::optional<Vec2> start;     ///< begin as near to this as the planner can
-  std::optional<Angle> heading;  ///< azimuth of straight lines; empty: the planner's choice
+  std::optional<Vec2> start;  ///< begin as near to this as the planner can
+  /// Azimuth of straight lines in the frame, as its grid counts it; empty: the planner's choice.
+  std::optional<Angle> heading;
+  Angle grid_north;  ///< true azimuth of the frame's north, for what is said of azimuths
   LineSource lines = LineSource::automatic;  ///< of fitted lines
   PlanGoal goal;                             ///< of fitted lines
   /// What fitted and edge-following lines are laid for and judged by. Footprints meet out to the
@@ -104,6 +106,7 @@ struct Plan {
   std::vector<SharedEdge> edges;
   DepthRegions regions;  ///< empty without
   Gates gates;
+  std::optional<Angle> heading;    ///< of its straight lines in the frame, where all share one
   std::vector<Angle> openings;     ///< full opening angle per region, or one
   std::vector<std::string> notes;  ///< one sentence each, for people
   /// Of fitted lines: the plans that no other beats (pareto.h), shortest first. The route is the

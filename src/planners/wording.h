@@ -13,4 +13,8 @@ namespace swathplan {
 /// The azimuth of lines sailed both ways, in whole degrees from 0 to 179: 176 for -4.
 [[nodiscard]] int axis_degrees(double azimuth_deg);
 
+/// '93 degrees', or '93 degrees true (90 of the grid)' where the grid's north, whose true azimuth
+/// is `grid_north_deg`, is not true north. Of lines sailed both ways.
+[[nodiscard]] std::string azimuth_text(double grid_azimuth_deg, double grid_north_deg);
+
 }  // namespace swathplan

@@ -359,6 +359,25 @@ TEST(AdaptStudy, ResumesToTheSameResult) {
   }
 }
 
+TEST(AdaptStudy, RefusesWhatItDoesNotUse) {
+  const auto folder = scratch("study-unused");
+  for (const char* unused : {"spacing study --range 100", "spacing study --azimuth 10",
+                             "quality study --constraint mild", "quality study --corner 1 2"}) {
+    EXPECT_EQ(run(std::string(unused) + " -o " + folder.string()).code, 2) << unused;
+  }
+}
+
+TEST(AdaptStudy, QualityLeavesTheOptimumOutWhereSwathsAreTooNarrowForIt) {
+  const auto folder = scratch("study-narrow");
+  const auto outcome =
+      run("quality study --width 100 --length 100 --swath 5 --missions 1 --quiet -o " +
+          folder.string());
+  ASSERT_EQ(outcome.code, 0) << outcome.lines.at(0);
+  const std::string csv = contents(folder / "quality.csv");
+  EXPECT_EQ(csv.find("optimal_tracks"), std::string::npos);
+  EXPECT_NE(csv.find("preplanned_covered_pct"), std::string::npos);
+}
+
 // Killed in the midst of its work, as by a power cut: nothing but finished cells is left, and the
 // same command ends with the bytes of a study that was never disturbed.
 TEST(AdaptStudy, SurvivesBeingKilled) {

@@ -90,7 +90,7 @@ TEST(Lines, OptionsAreRecordedAndReadAgain) {
   ASSERT_EQ(first.code, 0) << first.err;
   const auto options = test::json_of(folder / "out" / "lines.json").at("options");
   for (const char* name : {"crs", "water_level_m", "area_file", "no_go_file", "vehicle",
-                           "under_keel_margin_m", "clearance_m", "z_unit_m", "method"}) {
+                           "under_keel_margin_m", "clearance_m", "method"}) {
     EXPECT_TRUE(options.contains(name)) << name;
   }
   const auto again = folder.run("lines flat.asc --quiet -o again --config out/survey.toml");

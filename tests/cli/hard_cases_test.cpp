@@ -87,6 +87,90 @@ TEST(HardCase, ASingleRegionOfASingleFace) {
   }
 }
 
+/// 12 x 12 soundings in degrees at 60 N, 2.5 degrees west of the middle of UTM zone 33.
+std::string soundings_in_degrees() {
+  std::string rows = "lon,lat,depth\n";
+  for (int i = 0; i < 144; ++i) {
+    rows += std::to_string(12.5 + 0.0002 * (i % 12)) + "," +
+            std::to_string(60.0 + 0.0001 * (i / 12)) + ",10\n";
+  }
+  return rows;
+}
+
+TEST(HardCase, HeadingsAreTrueAndStartsAreInTheFilesDegrees) {
+  const Folder folder;
+  folder.write("a.csv", soundings_in_degrees());
+  const std::string plan =
+      "plan a.csv --planner back-and-forth --beams 40 --resolution 0.5 --hit-only --heading 0 ";
+  const auto run = folder.run(plan + "--start=12.5022,60.0 -o out");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("west of true north"), std::string::npos) << run.err;
+  const json made = json_of(folder / "out" / "plan.json");
+  EXPECT_NEAR(made.at("heading_true_deg").get<double>(), 0.0, 1e-6);
+  EXPECT_NEAR(made.at("heading_grid_deg").get<double>(), 2.17, 0.02);
+  const json line = json_of(folder / "out" / "route.geojson").at("features").at(0);
+  const json& at = line.at("geometry").at("coordinates");
+  EXPECT_NEAR(at.front().at(0).get<double>(), at.back().at(0).get<double>(), 1e-6);
+  EXPECT_GT(at.front().at(0).get<double>(), 12.5015);  // near the start, not the western edge
+  ASSERT_EQ(folder.run(plan + "--north grid -o grid --quiet").code, 0);
+  EXPECT_NEAR(json_of(folder / "grid" / "plan.json").at("heading_grid_deg").get<double>(), 0.0,
+              1e-6);
+  const auto metres = folder.run(plan + "--start=361000,6654000 -o none");
+  EXPECT_EQ(metres.code, 2);
+  EXPECT_NE(metres.err.find("is in degrees"), std::string::npos) << metres.err;
+}
+
+TEST(HardCase, LinesWriteNoMissionOverLand) {
+  const Folder folder;
+  const std::string water(24, '.');
+  std::vector<std::string> rows;
+  for (int i = 0; i < 20; ++i) rows.push_back(water + "####" + water);
+  folder.write("two.asc", grid(rows));
+  const auto run = folder.run(
+      "lines two.asc --crs EPSG:32633 --method straight --heading 0 --export waypoints,gpx,lnw "
+      "-o out");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("no waypoints, gpx was written"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out" / "straight" / "route.waypoints"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out" / "straight" / "route.gpx"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out" / "straight" / "route.lnw"));
+  EXPECT_TRUE(json_of(folder / "out" / "lines.json")
+                  .at("methods")
+                  .at(0)
+                  .at("exports_left_out")
+                  .is_string());
+  const auto again = folder.run("export out/straight/route.csv --format gpx -o exported");
+  EXPECT_EQ(again.code, 1);
+  EXPECT_NE(again.err.find("infeasible"), std::string::npos) << again.err;
+}
+
+TEST(HardCase, PolygonsWithoutALineAreNamed) {
+  const Folder folder;
+  folder.write("flat.asc", grid(std::vector<std::string>(20, std::string(20, '.'))));
+  const auto square = [](const std::string& properties, int x, int y, int side) {
+    const auto p = [&](int dx, int dy) {
+      return "[" + std::to_string(x + dx * side) + "," + std::to_string(y + dy * side) + "]";
+    };
+    return R"({"type":"Feature","properties":)" + properties +
+           R"(,"geometry":{"type":"Polygon","coordinates":[[)" + p(0, 0) + "," + p(1, 0) + "," +
+           p(1, 1) + "," + p(0, 1) + "," + p(0, 0) + "]]}}";
+  };
+  folder.write("areas.geojson", R"({"type":"FeatureCollection","features":[)" +
+                                    square(R"({"name":"basin"})", 10, 10, 60) + "," +
+                                    square(R"({"name":"creek"})", 200, 10, 10) + "," +
+                                    square("{}", 10, 200, 10) + "]}");
+  const auto run = folder.run(
+      "plan flat.asc --planner back-and-forth --beams 40 --resolution 0.5 --hit-only --area "
+      "areas.geojson -o out");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("2 of 3 polygons of the area have no survey line: 'creek' about "),
+            std::string::npos)
+      << run.err;
+  EXPECT_NE(run.err.find("the one about ("), std::string::npos) << run.err;
+  EXPECT_NE(text_of(folder / "out" / "report.html").find("creek"), std::string::npos);
+  EXPECT_EQ(run.err.find("'basin'"), std::string::npos) << run.err;
+}
+
 TEST(HardCase, AClosedLoopAndWaypointsThatCoincide) {
   const Folder folder;
   folder.write("loop.csv",

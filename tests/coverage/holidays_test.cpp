@@ -107,6 +107,20 @@ TEST(Holidays, HaveACause) {
   EXPECT_EQ(name(HolidayCause::between_beams), "between_beams");
 }
 
+TEST(Holidays, OneThatIsAPartOfTheAreaOfItsOwnHasNoLine) {
+  const Holidays h = find_holidays(drawn({"##### ....",  //
+                                          "#..## ....",  //
+                                          "#..#. ....",  //
+                                          "##### ...."}),
+                                   {});
+  ASSERT_EQ(h.list.size(), 3U);
+  EXPECT_EQ(h.list[0].cause, HolidayCause::no_line);
+  EXPECT_EQ(h.list[1].cause, HolidayCause::between_lines);
+  EXPECT_EQ(h.list[2].cause, HolidayCause::edge);
+  EXPECT_EQ(name(HolidayCause::no_line), "no_line");
+  EXPECT_EQ(find_holidays(drawn({"fff", "fff"}), {}).list[0].cause, HolidayCause::between_beams);
+}
+
 TEST(Holidays, SmallOnesAreCountedButNotListedAndTheListHasAnEnd) {
   const CoverageGrid grid = drawn({".#.#..#...", "##########", "....#.#.#.", "##########"});
   const Holidays large = find_holidays(grid, {.smallest_m2 = 0.5});

@@ -38,7 +38,9 @@ TEST(ParetoPick, PrefersWhatCanBeSteered) {
   EXPECT_NE(pick(outcomes, {}).why.find("infeasible"), std::string::npos);
   PlanGoal within;
   within.length_m = 1.0;
-  EXPECT_EQ(pick(outcomes, within).index, 0U);
+  const Pick shortest = pick(outcomes, within);
+  EXPECT_EQ(shortest.index, 0U);
+  EXPECT_NE(shortest.why.find("NOT within 1 m of path"), std::string::npos) << shortest.why;
 }
 
 TEST(ParetoPick, FollowsTheGoalAndSaysWhenItIsOutOfReach) {

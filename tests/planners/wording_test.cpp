@@ -22,5 +22,12 @@ TEST(Wording, LinesSailedBothWaysPointFrom0To179) {
   EXPECT_EQ(axis_degrees(-0.3), 0);
 }
 
+TEST(Wording, AzimuthsAreTrueAndOfTheGridWhereTheseDiffer) {
+  EXPECT_EQ(azimuth_text(90.2, 0.0), "90 degrees");
+  EXPECT_EQ(azimuth_text(90.0, 2.84), "92.8 degrees true (90 of the grid)");
+  EXPECT_EQ(azimuth_text(1.0, -2.0), "179 degrees true (1 of the grid)");
+  EXPECT_EQ(azimuth_text(-4.0, 4.0), "0 degrees true (176 of the grid)");
+}
+
 }  // namespace
 }  // namespace swathplan

@@ -27,6 +27,22 @@ std::vector<Vec2> distinct_points(const Route& route) {
   return points;
 }
 
+// Whether the way on from each distinct point joins lines; the rest is survey line.
+std::vector<char> joining(const Route& route) {
+  std::vector<char> joins;
+  Vec2 last = Vec2::Zero();
+  for (const Waypoint& w : route.waypoints) {
+    const bool on_line =
+        w.kind == LegKind::line || w.kind == LegKind::cross || w.kind == LegKind::infill;
+    if (joins.empty() || (w.position - last).norm() > kCoincident) {
+      joins.push_back(0);
+      last = w.position;
+    }
+    joins.back() = on_line ? 0 : 1;
+  }
+  return joins;
+}
+
 // Change of course at b, radians, to port positive.
 double bend(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 in = b - a;
@@ -49,31 +65,40 @@ void add_lengths(const Route& route, RouteFigures& figures) {
   }
 }
 
-// Counts curves: runs of bends to the same side with short ways between.
+// Counts manoeuvres: runs of bends with short ways between, on lines to the same side.
 class TurnCounter {
  public:
-  explicit TurnCounter(RouteFigures& figures) : figures_(figures) {}
+  TurnCounter(RouteFigures& figures, double turn_radius_m)
+      : figures_(figures), gap_m_(std::max(kCurveGapM, 2.0 * turn_radius_m)) {}
 
-  void add(double angle, double way_before) {
-    if (angle * curve_ < 0.0 || way_before > kCurveGapM) end_curve();
+  /// `joins`: the bend lies between lines, where a turn may swing out to one side first.
+  void add(double angle, double way_before, bool joins) {
+    const bool other_side = angle * last_ < 0.0;
+    if (way_before > gap_m_ || (other_side && !(joins && in_join_))) end_curve();
     curve_ += angle;
+    largest_ = std::max(largest_, std::abs(curve_));
+    last_ = angle;
+    in_join_ = joins;
   }
   void end_curve() {
     // Many small bends that make a right angle must count as one in spite of rounding.
     constexpr double kDust = 1e-6;
-    const double degrees = std::abs(curve_) * 180.0 / std::numbers::pi + kDust;
+    const double degrees = largest_ * 180.0 / std::numbers::pi + kDust;
     figures_.turns += degrees >= kTurnDeg;
     figures_.sharp_turns += degrees >= kSharpTurnDeg;
-    curve_ = 0.0;
+    curve_ = largest_ = last_ = 0.0;
   }
 
  private:
   RouteFigures& figures_;
-  double curve_ = 0.0;
+  double gap_m_;
+  double curve_ = 0.0, largest_ = 0.0, last_ = 0.0;
+  bool in_join_ = false;
 };
 
-void add_turns(const std::vector<Vec2>& points, double smallest_radius_m, RouteFigures& figures) {
-  TurnCounter turns(figures);
+void add_turns(const std::vector<Vec2>& points, const std::vector<char>& joins,
+               double smallest_radius_m, RouteFigures& figures) {
+  TurnCounter turns(figures, smallest_radius_m);
   figures.min_turn_radius_m = kInfinity;
   double way = 0.0;  // since the last bend
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -99,7 +124,7 @@ void add_turns(const std::vector<Vec2>& points, double smallest_radius_m, RouteF
     // Smaller bends come from rounding along a straight line.
     constexpr double kStraight = 1e-6;
     if (std::abs(angle) < kStraight) continue;
-    turns.add(angle, way);
+    turns.add(angle, way, joins[i - 1] != 0 || joins[i] != 0);
     way = 0.0;
   }
   turns.end_curve();
@@ -171,7 +196,7 @@ RouteFigures route_figures(const Route& route, const Vehicle& vehicle, const Are
     figures.length_ratio = figures.length_m / (survey_area_m2 / footprint_width_m);
   }
   const std::vector<Vec2> points = distinct_points(route);
-  add_turns(points, vehicle.turn_radius_m, figures);
+  add_turns(points, joining(route), vehicle.turn_radius_m, figures);
   const PathMeetings meetings = path_meetings(points);
   figures.self_crossings = meetings.crossings;
   figures.shared_stretches = meetings.shared_stretches;

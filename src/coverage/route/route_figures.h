@@ -17,8 +17,10 @@ struct RouteFigures {
   double length_m = 0.0;
   std::map<std::string, double> length_by_kind_m;  ///< kind name -> metres
   double logged_length_m = 0.0;
-  double length_ratio = 0.0;       ///< length / (area / W)
-  std::size_t turns = 0;           ///< curves that change the course by at least kTurnDeg
+  double length_ratio = 0.0;  ///< length / (area / W)
+  /// Manoeuvres that change the course by at least kTurnDeg: a curve of however many waypoints is
+  /// one, and so is a turn between lines that swings out first.
+  std::size_t turns = 0;
   std::size_t sharp_turns = 0;     ///< of them, by at least kSharpTurnDeg
   double total_turning_deg = 0.0;  ///< sum of all changes of course
   /// Smallest radius of all bends. The radius at a waypoint is that of the arc which touches both
@@ -51,7 +53,8 @@ inline constexpr double kTightShare = 0.01;
 inline constexpr double kStraightRadiusM = 1e5;
 inline constexpr double kTurnDeg = 30.0;
 inline constexpr double kSharpTurnDeg = 90.0;
-/// Bends to the same side no farther apart than this are one curve, metres of path.
+/// Bends to the same side (between lines: to any side) are one manoeuvre if they lie no farther
+/// apart than this or than the turn's diameter, metres of path.
 inline constexpr double kCurveGapM = 3.0;
 /// The depth below the path is looked up at each waypoint and at least this often between, metres.
 inline constexpr double kDepthStepM = 1.0;

@@ -18,11 +18,13 @@ std::string route_gpx(const GeographicRoute& route, const std::string& name) {
       "http://www.topografix.com/GPX/1/1/gpx.xsd\">\n<rte>\n<name>{}</name>\n",
       xml_escaped(name));
   const std::vector<std::string> names = waypoint_names(route.route);
+  const std::vector<std::string> short_names = short_waypoint_names(route.route);
   for (std::size_t i = 0; i < names.size(); ++i) {
     fmt::format_to(std::back_inserter(text),
-                   "<rtept lat=\"{:.8f}\" lon=\"{:.8f}\"><name>{}</name><type>{}</type></rtept>\n",
-                   route.lonlat[i].y(), route.lonlat[i].x(), xml_escaped(names[i]),
-                   swathplan::name(route.route.waypoints[i].kind));
+                   "<rtept lat=\"{:.8f}\" lon=\"{:.8f}\"><name>{}</name><desc>{}</desc>"
+                   "<type>{}</type></rtept>\n",
+                   route.lonlat[i].y(), route.lonlat[i].x(), xml_escaped(short_names[i]),
+                   xml_escaped(names[i]), swathplan::name(route.route.waypoints[i].kind));
   }
   return text + "</rte>\n</gpx>\n";
 }

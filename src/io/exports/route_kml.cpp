@@ -5,6 +5,7 @@
 #include <array>
 #include <iterator>
 
+#include "io/files/geojson.h"
 #include "io/files/xml.h"
 
 namespace swathplan {
@@ -26,15 +27,23 @@ constexpr std::array<Look, 7> kLooks{{{LegKind::line, "ffb45a00"},
 std::string placemark(const GeographicRoute& route, const Leg& leg, std::size_t number) {
   const Waypoint& w = route.route.waypoints[leg.first];
   std::string text = fmt::format(
-      "<Placemark><name>{}</name><styleUrl>#{}</styleUrl><LineString><tessellate>1</tessellate>"
-      "<coordinates>",
+      "<Placemark><name>{}</name><styleUrl>#{}</styleUrl>",
       w.line ? fmt::format("{} {}", name(w.kind), *w.line) : fmt::format("leg {}", number),
       name(w.kind));
-  for (std::size_t i = leg.first; i <= leg.last; ++i) {
-    fmt::format_to(std::back_inserter(text), "{}{:.8f},{:.8f}", i == leg.first ? "" : " ",
-                   route.lonlat[i].x(), route.lonlat[i].y());
+  const auto begin = route.lonlat.begin();
+  const auto parts = cut_at_180({begin + static_cast<std::ptrdiff_t>(leg.first),
+                                 begin + static_cast<std::ptrdiff_t>(leg.last) + 1});
+  if (parts.size() > 1) text += "<MultiGeometry>";
+  for (const std::vector<CutPlace>& part : parts) {
+    text += "<LineString><tessellate>1</tessellate><coordinates>";
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      fmt::format_to(std::back_inserter(text), "{}{:.8f},{:.8f}", i == 0 ? "" : " ",
+                     part[i].lonlat.x(), part[i].lonlat.y());
+    }
+    text += "</coordinates></LineString>";
   }
-  return text + "</coordinates></LineString></Placemark>\n";
+  if (parts.size() > 1) text += "</MultiGeometry>";
+  return text + "</Placemark>\n";
 }
 
 }  // namespace

@@ -57,4 +57,20 @@ std::vector<std::string> waypoint_names(const Route& route) {
   return names;
 }
 
+std::vector<std::string> short_waypoint_names(const Route& route) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string> names(route.waypoints.size());
+  const auto add = [&](std::size_t i, const std::string& name) {
+    if (names[i].size() + name.size() <= kMost) names[i] += name;
+  };
+  for (const SurveyRun& run : survey_runs(route)) {
+    add(run.first, "S" + run.name);
+    add(run.last, "E" + run.name);
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].empty()) names[i] = std::to_string(i + 1);
+  }
+  return names;
+}
+
 }  // namespace swathplan

@@ -21,4 +21,8 @@ struct SurveyRun {
 /// begins, a comma joins both names. Any other waypoint has its number, from 1.
 [[nodiscard]] std::vector<std::string> waypoint_names(const Route& route);
 
+/// Names of at most six characters, no two alike, for receivers that show no more: 'S3' and 'E3'
+/// where line 3 starts and ends, 'E3S4' where one ends and the next one begins, else the number.
+[[nodiscard]] std::vector<std::string> short_waypoint_names(const Route& route);
+
 }  // namespace swathplan

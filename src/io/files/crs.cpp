@@ -145,23 +145,36 @@ std::vector<Vec2> CrsTransform::operator()(const std::vector<Vec2>& points) cons
   return result;
 }
 
-GroundScale ground_scale(const std::string& wkt, const Vec2& at) {
+namespace {
+
+/// Half of a step on the grid, units: far above rounding, far below the curvature of the grid.
+constexpr double kStep = 10.0;
+
+/// The way from `at - step` to `at + step` on the ground, metres to true east and north.
+Vec2 true_way(const CrsTransform& to_degrees, const Vec2& at, const Vec2& step) {
   constexpr double kSemiMajor = 6378137.0, kEccentricity2 = 6.69437999014e-3;
-  constexpr double kStep = 10.0;  // units: far above rounding, far below the curvature of the grid
+  const Vec2 from = to_degrees(at - step);
+  const Vec2 to = to_degrees(at + step);
+  const double phi = Angle::degrees(0.5 * (from.y() + to.y())).rad();
+  const double w2 = 1.0 - kEccentricity2 * std::sin(phi) * std::sin(phi);
+  const double meridian = kSemiMajor * (1.0 - kEccentricity2) / (w2 * std::sqrt(w2));
+  const double parallel = kSemiMajor / std::sqrt(w2) * std::cos(phi);
+  const double east = std::remainder(to.x() - from.x(), 360.0);
+  return {parallel * Angle::degrees(east).rad(),
+          meridian * Angle::degrees(to.y() - from.y()).rad()};
+}
+
+}  // namespace
+
+GroundScale ground_scale(const std::string& wkt, const Vec2& at) {
   const CrsTransform to_degrees(wkt, wgs84_crs());
-  const auto apart = [&](const Vec2& step) {
-    const Vec2 from = to_degrees(at - step);
-    const Vec2 to = to_degrees(at + step);
-    const double phi = Angle::degrees(0.5 * (from.y() + to.y())).rad();
-    const double w2 = 1.0 - kEccentricity2 * std::sin(phi) * std::sin(phi);
-    const double meridian = kSemiMajor * (1.0 - kEccentricity2) / (w2 * std::sqrt(w2));
-    const double parallel = kSemiMajor / std::sqrt(w2) * std::cos(phi);
-    const double east = std::remainder(to.x() - from.x(), 360.0);
-    return Vec2(parallel * Angle::degrees(east).rad(),
-                meridian * Angle::degrees(to.y() - from.y()).rad())
-        .norm();
-  };
-  return {apart(Vec2(kStep, 0.0)) / (2.0 * kStep), apart(Vec2(0.0, kStep)) / (2.0 * kStep)};
+  return {true_way(to_degrees, at, Vec2(kStep, 0.0)).norm() / (2.0 * kStep),
+          true_way(to_degrees, at, Vec2(0.0, kStep)).norm() / (2.0 * kStep)};
+}
+
+double meridian_convergence_deg(const std::string& wkt, const Vec2& at) {
+  const Vec2 north = true_way(CrsTransform(wkt, wgs84_crs()), at, Vec2(0.0, kStep));
+  return Angle::radians(std::atan2(north.x(), north.y())).deg();
 }
 
 }  // namespace swathplan

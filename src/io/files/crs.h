@@ -29,6 +29,10 @@ struct GroundScale {
 /// The scale at a place on the WGS 84 ellipsoid, to about 1e-6. `wkt` must be projected.
 /// @throws InvalidInput where the place has no longitude and latitude.
 [[nodiscard]] GroundScale ground_scale(const std::string& wkt, const Vec2& at);
+/// The true azimuth of the grid's north at a place of a projected CRS (meridian convergence),
+/// degrees; above 0 where grid north lies east of true north.
+/// @throws InvalidInput where the place has no longitude and latitude.
+[[nodiscard]] double meridian_convergence_deg(const std::string& wkt, const Vec2& at);
 /// The name for people: 'EPSG:32633 (WGS 84 / UTM zone 33N)'; 'none' for an empty text.
 [[nodiscard]] std::string crs_name(const std::string& wkt);
 /// The WGS 84 / UTM zone of a place.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,20 @@ namespace swathplan {
 /// input file if there is no CRS.
 [[nodiscard]] std::vector<std::string> geojson_positions(const std::vector<Vec2>& local,
                                                          const Frame& frame);
+
+/// A place of a line in degrees, cut where the line crosses 180 degrees.
+struct CutPlace {
+  Vec2 lonlat = Vec2::Zero();
+  std::size_t segment = 0;  ///< of the whole line: which segment leads on from here
+};
+/// A line of longitudes and latitudes in parts that do not cross 180 degrees (RFC 7946, 3.1.9); one
+/// part if it does not cross.
+[[nodiscard]] std::vector<std::vector<CutPlace>> cut_at_180(const std::vector<Vec2>& line);
+/// The same for a ring without its closing point; parts without an area are left out.
+[[nodiscard]] std::vector<std::vector<Vec2>> ring_cut_at_180(const std::vector<Vec2>& line);
+
+/// '[lon,lat]' to a micrometre.
+[[nodiscard]] std::string geojson_lonlat(const Vec2& lonlat);
 
 /// 'stem.geojson', or 'stem.local.geojson' for metres.
 [[nodiscard]] std::string geojson_name(const std::string& stem, const Frame& frame);

@@ -86,6 +86,11 @@ Kind kind_by_bytes(std::string_view head, const std::string& extension) {
   if (head.size() < 16) return {};
   if (is_kmall(head)) return {"a raw multibeam file (Kongsberg KMALL)", kGridIt};
   if (is_kongsberg_all(head, extension)) return {"a raw multibeam file (Kongsberg ALL)", kGridIt};
+  if (head.starts_with("CDF") && head.find("xysize") != std::string_view::npos &&
+      head.find("x_range") != std::string_view::npos) {
+    return {"a grid of GMT's old kind (version 3)",
+            "convert it ('gmt grdconvert OLD.grd=cf NEW.grd=nf'), or export a GeoTIFF"};
+  }
   if (number_at(head, 4) == 0xFFFF) return {"a raw multibeam file (Teledyne Reson S7K)", kGridIt};
   if (head.substr(0, 32).find("GSF-v") != std::string_view::npos) {
     return {"a multibeam file (GSF)", kGridIt};

@@ -2,6 +2,7 @@
 #include <ogr_spatialref.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -62,6 +63,17 @@ std::string attribute(GDALRasterBand& band, const char* name) {
   return value == nullptr ? std::string() : lower(trim(value));
 }
 
+/// No ocean is as deep, metres.
+constexpr double kDeeperThanAny = 12'000.0;
+
+/// True if values in units of `metres` reach deeper than any ocean, and in metres they do not: the
+/// file names the unit of its other axes.
+bool is_no_unit_of_depths(const SurfaceData& data, double metres) {
+  double largest = 0.0;
+  for (const Vec3& v : data.vertices) largest = std::max(largest, std::abs(v.z()));
+  return largest <= kDeeperThanAny && largest * metres > kDeeperThanAny;
+}
+
 /// What says that z is positive down; empty if nothing does.
 std::string word_of_down(GDALDataset& file, GDALRasterBand& band) {
   if (attribute(band, "positive") == "down") return "'positive: down'";
@@ -116,11 +128,15 @@ void find_meaning_of_z(GDALDataset& file, GDALRasterBand& band, SurfaceData& dat
     data.warnings.push_back(
         fmt::format("the file says its values are in '{}'; if so, set <z unit>", unit));
   }
-  if (metres && *metres != 1.0) {
+  const std::string named = unit.empty() ? "the unit of its vertical system" : unit;
+  if (metres && is_no_unit_of_depths(data, *metres)) {
+    data.warnings.push_back(
+        fmt::format("the file says its values are in {} ({:.7g} m), which no ocean is deep enough "
+                    "for: taken as metres; if they are not, set <z unit>",
+                    named, *metres));
+  } else if (metres && *metres != 1.0) {
     data.z_unit_m = metres;
-    data.notes.push_back(fmt::format("z is in {}, as the file says: brought to metres ({:.7g} m)",
-                                     unit.empty() ? "the unit of its vertical system" : unit,
-                                     *metres));
+    data.notes.push_back(fmt::format("z is in {}, as the file says: {:.7g} m", named, *metres));
   }
   // A BAG holds elevations by its standard, whatever the axis in its metadata says.
   if (std::string_view(file.GetDriverName()) == "BAG") return;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "io/files/atomic_file.h"
 #include "io/results/provenance_json.h"
 
@@ -17,6 +19,13 @@ Json point(const Vec2& local, const Frame& frame) {
 
 Json edge(const std::pair<Vec2, Vec2>& e, const Frame& frame) {
   return Json::array({point(e.first, frame), point(e.second, frame)});
+}
+
+/// Of straight lines, from 0 to 360 degrees; null where they share none.
+Json azimuth(const PlanRecord& record, Angle north) {
+  if (!record.heading) return nullptr;
+  const double deg = std::fmod((*record.heading + north).deg() + 720.0, 360.0);
+  return std::fmod(std::round(1e6 * deg) / 1e6, 360.0);
 }
 
 Json regions_json(const PlanRecord& record) {
@@ -103,6 +112,9 @@ std::string plan_json(const PlanRecord& record, const Frame& frame, const Proven
   json["planner"] = record.planner;
   json["coordinates"] = "x, y of the input file";
   json["crs_wkt"] = frame.crs_wkt.empty() ? Json(nullptr) : Json(frame.crs_wkt);
+  json["meridian_convergence_deg"] = record.grid_north.deg();
+  json["heading_true_deg"] = azimuth(record, record.grid_north);
+  json["heading_grid_deg"] = azimuth(record, {});
   json["sonar"] = sonar_json(record.sonar);
   json["vehicle"] = vehicle_json(record.vehicle);
   json["band_limits_m"] = record.band_limits_m;

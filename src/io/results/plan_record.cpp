@@ -60,6 +60,7 @@ PlanRecord plan_record(const Plan& plan, const Sonar& sonar, const Vehicle& vehi
   record.choices = plan.choices;
   record.chosen = plan.chosen;
   record.chosen_why = plan.chosen_why;
+  record.heading = plan.heading;
   record.violations = plan_violations(plan.route, vehicle, water);
   record.notes = plan.notes;
   return record;

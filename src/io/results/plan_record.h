@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +49,8 @@ struct PlanRecord {
   std::vector<Outcome> choices;  ///< that the planner had, and which it took and why
   std::size_t chosen = 0;
   std::string chosen_why;
+  std::optional<Angle> heading;  ///< of straight lines in the frame, where all share one
+  Angle grid_north;              ///< true azimuth of the frame's north
   std::vector<PlanViolation> violations;
   std::vector<std::string> notes;  ///< one sentence each, for people
 };

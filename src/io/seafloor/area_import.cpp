@@ -27,6 +27,7 @@ namespace fs = std::filesystem;
 /// What a layer holds, in file coordinates, and its CRS.
 struct LayerShapes {
   std::vector<std::vector<Ring>> polygons;  ///< each as its rings
+  std::vector<std::string> names;           ///< of the polygons
   std::vector<std::vector<Vec2>> lines;     ///< a point is a line of one place
   std::size_t points = 0;                   ///< of `lines`
   std::string crs_wkt;
@@ -107,6 +108,18 @@ void collect(const OGRGeometry& geometry, const fs::path& path, long long featur
   }
 }
 
+/// What the feature calls itself; empty if it does not.
+std::string name_of(const OGRFeature& feature) {
+  for (const char* field : {"name", "title", "label", "id"}) {
+    const int at = feature.GetFieldIndex(field);  // in any case
+    if (at >= 0 && feature.IsFieldSetAndNotNull(at) != 0) {
+      const std::string text = feature.GetFieldAsString(at);
+      if (!text.empty()) return text;
+    }
+  }
+  return {};
+}
+
 LayerShapes read_layer(OGRLayer& layer, const fs::path& path) {
   LayerShapes found;
   if (const OGRSpatialReference* crs = layer.GetSpatialRef(); crs != nullptr) {
@@ -120,6 +133,7 @@ LayerShapes read_layer(OGRLayer& layer, const fs::path& path) {
     // Arcs become short chords; flat geometries come back as they are.
     const std::unique_ptr<OGRGeometry> straight(geometry->getLinearGeometry());
     if (straight) collect(*straight, path, static_cast<long long>(feature->GetFID()), found);
+    found.names.resize(found.polygons.size(), name_of(*feature));
   }
   return found;
 }
@@ -237,8 +251,9 @@ Area united(const std::vector<Area>& parts) {
 }
 
 struct Shapes {
-  std::vector<Area> parts;  ///< polygons, then buffers
-  double within_m = 0.0;    ///< the largest tolerance of those simplified
+  std::vector<Area> parts;         ///< polygons, then buffers
+  std::vector<std::string> names;  ///< of the parts
+  double within_m = 0.0;           ///< the largest tolerance of those simplified
   std::size_t simplified = 0, corners_before = 0, corners_after = 0;
   std::size_t polygons = 0, lines = 0, points = 0, off_the_data = 0;
 };
@@ -284,8 +299,10 @@ void add_layer(LayerShapes layer, const Frame& frame, const AreaImportOptions& o
   for (const std::vector<Ring>& rings : layer.polygons) {
     shapes.parts.push_back(area_of(rings, options, shapes));
   }
+  shapes.names.insert(shapes.names.end(), layer.names.begin(), layer.names.end());
   if (!(options.buffer_m > 0.0)) return;
   for (const auto& line : layer.lines) shapes.parts.push_back(around(line, options.buffer_m));
+  shapes.names.resize(shapes.parts.size());
 }
 
 bool meets(const Area& area, const Box2& data) {
@@ -360,6 +377,9 @@ ImportedArea import_area(const fs::path& path, const Frame& frame,
                       [&](const Area& part) { return !meets(part, *options.data_extent); }));
   }
   result.notes = notes_on(shapes, options, path);
+  for (std::size_t i = 0; i < shapes.parts.size(); ++i) {
+    result.parts.push_back({shapes.names[i], std::move(shapes.parts[i])});
+  }
   return result;
 }
 

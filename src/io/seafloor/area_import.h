@@ -34,9 +34,16 @@ inline constexpr std::size_t kManyCorners = 1000;
 /// What is simplified should have no more corners than this.
 inline constexpr std::size_t kFewEnough = 3000;
 
+/// A polygon as the file names it; without a name it is empty.
+struct AreaPart {
+  std::string name;
+  Area area;  ///< local metres
+};
+
 /// Polygons of a file, united, and what of the file is not in them.
 struct ImportedArea {
   Area area;                       ///< local metres
+  std::vector<AreaPart> parts;     ///< one by one
   std::vector<std::string> notes;  ///< one sentence each, for people
 };
 

@@ -45,7 +45,7 @@ void check_options(const ImportOptions& options) {
       throw UsageError(name, fmt::format("{}", value), "must be a finite number above 0");
     }
   };
-  positive("z unit", options.z_unit_m);
+  if (options.z_unit_m) positive("z unit", *options.z_unit_m);
   if (options.xy_unit_m) positive("xy unit", *options.xy_unit_m);
   if (options.longest_edge_m) positive("longest edge", *options.longest_edge_m);
   if (!std::isfinite(options.water_level_m)) {
@@ -138,7 +138,44 @@ SurfaceData read(const fs::path& path, const std::string& kind, const ImportOpti
   return read_soundings(path, {.z_positive_down = down,
                                .nodata = options.nodata,
                                .columns = options.columns,
-                               .z_unit_is_given = options.z_unit_m != 1.0});
+                               .z_unit_is_given = options.z_unit_m.has_value()});
+}
+
+/// True if the faces look along y rather than up, and z runs farther than y.
+bool looks_y_up(const SurfaceData& data) {
+  if (data.vertices.empty()) return false;
+  Vec3 low = data.vertices.front();
+  Vec3 high = low;
+  for (const Vec3& v : data.vertices) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  if (high.z() - low.z() <= high.y() - low.y()) return false;
+  Vec3 sum = Vec3::Zero();
+  for (const auto& f : data.faces) {
+    const Vec3& a = data.vertices[f[0]];
+    sum += (data.vertices[f[1]] - a).cross(data.vertices[f[2]] - a).cwiseAbs();
+  }
+  return sum.y() > 2.0 * std::max(sum.x(), sum.z());
+}
+
+/// Turns a mesh z up, or asks which way it is up.
+void turn_z_up(SurfaceData& data, const ImportedSeafloor& r, const ImportOptions& options) {
+  if (r.kind != "mesh") {
+    if (options.up == ImportOptions::Up::y) {
+      data.warnings.emplace_back("<up> is for meshes; it was not used");
+    }
+    return;
+  }
+  if (options.up == ImportOptions::Up::ask && looks_y_up(data)) {
+    throw InvalidInput(fmt::format(
+        "the mesh '{}' looks y up: its faces look along y, and z runs farther than y; say which "
+        "axis points up: <up> y turns it, <up> z takes it as it is",
+        r.file));
+  }
+  if (options.up != ImportOptions::Up::y) return;
+  for (Vec3& v : data.vertices) v = Vec3(v.x(), -v.z(), v.y());
+  data.notes.emplace_back("the mesh was turned from y up to z up");
 }
 
 /// Soundings of which only the options say that they are in degrees.
@@ -300,7 +337,7 @@ Frame choose_frame(const SurfaceData& data, const std::string& crs, double metre
 
 Seafloor place(SurfaceData& data, const Frame& frame, const ImportOptions& options) {
   const bool down = options.z_positive == ImportOptions::ZPositive::down || data.z_is_depth;
-  const double unit_m = options.z_unit_m != 1.0 ? options.z_unit_m : data.z_unit_m.value_or(1.0);
+  const double unit_m = options.z_unit_m.value_or(data.z_unit_m.value_or(1.0));
   const double unit = down ? -unit_m : unit_m;
   Seafloor seafloor;
   seafloor.frame = frame;
@@ -348,7 +385,7 @@ void clip_land(Seafloor& seafloor, ImportedSeafloor& result) {
         "everything in '{}' lies above the water level (z from {:.6g} to {:.6g}); if these are "
         "depths, positive down, add <z positive> down; else give the level with <water level>{}",
         result.file, result.raw_z_min, result.raw_z_max,
-        may_be_y_up(result) ? ". Or the mesh is y up: turn it so that z points up" : ""));
+        may_be_y_up(result) ? ". Or the mesh is y up: add <up> y" : ""));
   }
   result.land_share =
       whole > 0.0 ? std::clamp(1.0 - plan_area_m2(seafloor) / whole, 0.0, 1.0) : 0.0;
@@ -398,24 +435,33 @@ void join(SurfaceData& data, const Frame& frame, const ImportOptions& options,
       limit ? "" : " (from their spacing; set another with <longest edge>)"));
 }
 
-/// Grids of metres end near 10,000,000; grids of feet go on.
-void warn_of_feet(const std::string& crs, const SurfaceData& data, const ImportOptions& options,
-                  ImportedSeafloor& result) {
-  constexpr double kLargestNorthing = 10'050'000.0;
+/// Grids of metres end near 10,000,000; grids of feet go on. Depths in feet are the shoaler
+/// reading, so the safe one, and whoever maps in feet sounds in feet.
+void take_as_feet(const std::string& crs, SurfaceData& data, const ImportOptions& options,
+                  const ImportedSeafloor& result) {
+  constexpr double kLargestNorthing = 10'050'000.0, kUsFoot = 1200.0 / 3937.0;
   if (result.kind != "soundings" || !crs.empty() || options.xy_unit_m || data.xy_unit_m) return;
   const double largest =
       std::max(result.raw_max.cwiseAbs().maxCoeff(), result.raw_min.cwiseAbs().maxCoeff());
   if (largest < kLargestNorthing) return;
-  result.warnings.push_back(fmt::format(
-      "coordinates up to {:.8g} are more than grids of metres have, but no coordinate reference "
-      "system says their unit: taken as metres, and so is z; if they are feet, give <CRS> (or <xy "
-      "unit>) and <z unit>",
-      largest));
+  const bool z_too = !options.z_unit_m && !data.z_unit_m;
+  data.xy_unit_m = kUsFoot;
+  if (z_too) data.z_unit_m = kUsFoot;
+  data.warnings.push_back(fmt::format(
+      "coordinates up to {:.8g} are more than grids of metres have: they were taken as US survey "
+      "feet{}; if that is wrong, give <CRS> (or <xy unit>) and <z unit>",
+      largest, z_too ? ", and so was z" : ""));
+}
+
+void note_other_z_unit(SurfaceData& data, const ImportOptions& options) {
+  if (!options.z_unit_m || !data.z_unit_m || *options.z_unit_m == *data.z_unit_m) return;
+  data.notes.push_back(fmt::format("z is taken in units of {:.7g} m (<z unit>), not of {:.7g} m",
+                                   *options.z_unit_m, *data.z_unit_m));
 }
 
 void add_unit_warnings(const SurfaceData& data, const Frame& frame, double unit_m,
                        const ImportOptions& options, ImportedSeafloor& result) {
-  if (unit_m != 1.0 && options.z_unit_m == 1.0 && !data.z_unit_m) {
+  if (unit_m != 1.0 && !options.z_unit_m && !data.z_unit_m) {
     result.warnings.push_back(fmt::format(
         "horizontal units are {:.7g} m, but z is taken as metres; set <z unit> if depths are in "
         "feet",
@@ -426,6 +472,22 @@ void add_unit_warnings(const SurfaceData& data, const Frame& frame, double unit_
         "{} holds 32-bit floats, which resolve only {:.2g} m at these coordinates; export local "
         "coordinates or a double-precision format",
         data.format, data.float_step * frame.metres_per_unit));
+  }
+}
+
+/// 0 where the places have no longitude and latitude, of which true_scale warns.
+double convergence_at_middle(const SurfaceData& data, const std::string& crs) {
+  if (!is_projected(crs) || data.vertices.empty()) return 0.0;
+  Vec2 low = data.vertices.front().head<2>();
+  Vec2 high = low;
+  for (const Vec3& v : data.vertices) {
+    low = low.cwiseMin(v.head<2>());
+    high = high.cwiseMax(v.head<2>());
+  }
+  try {
+    return meridian_convergence_deg(crs, 0.5 * (low + high));
+  } catch (const InvalidInput&) {
+    return 0.0;
   }
 }
 
@@ -453,6 +515,24 @@ ImportedSeafloor import_packed(const fs::path& path, const ImportOptions& option
 
 }  // namespace
 
+Vec2 local_of(const ImportedSeafloor& data, const Vec2& in_file) {
+  const Frame& frame = data.seafloor.frame;
+  if (data.file_crs_wkt.empty()) return frame.to_local(in_file);
+  if (is_geographic(data.file_crs_wkt) &&
+      (std::abs(in_file.x()) > 360.0 || std::abs(in_file.y()) > 90.0)) {
+    throw InvalidInput(
+        fmt::format("'{}' is in degrees, longitude before latitude: ({}, {}) is no place there",
+                    data.file, in_file.x(), in_file.y()));
+  }
+  return frame.to_local(CrsTransform(data.file_crs_wkt, frame.crs_wkt)(in_file));
+}
+
+Vec2 in_file_of(const ImportedSeafloor& data, const Vec2& local) {
+  const Frame& frame = data.seafloor.frame;
+  const Vec2 place = frame.to_file(local);
+  return data.file_crs_wkt.empty() ? place : CrsTransform(frame.crs_wkt, data.file_crs_wkt)(place);
+}
+
 ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& options) {
   check_options(options);
   check_file(path);
@@ -464,6 +544,7 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
   const bool has_columns = result.kind == "soundings";
   SurfaceData data = read(path, result.kind, options);
   if (result.kind == "points" || result.kind == "lidar") result.kind = "soundings";
+  turn_z_up(data, result, options);
   result.format = data.format;
   if (!options.columns.empty() && !has_columns) {
     data.warnings.emplace_back("<columns> is for soundings in text files; it was not used");
@@ -471,17 +552,21 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
   mend_degrees(data, options, result.kind);
   note_extent(data, result);
   std::string crs = choose_crs(data, options, result);
+  const std::string file_crs = crs;
   if (is_geographic(crs)) crs = project(data, crs, result);
+  take_as_feet(crs, data, options, result);
   const double unit_m = true_scale(data, crs, options, result);
   const Frame frame = choose_frame(data, crs, unit_m);
   result.crs_name = crs_name(crs);
+  if (crs != file_crs) result.file_crs_wkt = file_crs;
   if (data.faces.empty()) join(data, frame, options, result);
   result.spacing_m = data.spacing * frame.metres_per_unit;
-  warn_of_feet(crs, data, options, result);
+  note_other_z_unit(data, options);
   const double own_unit_m = crs.empty() && data.xy_unit_m ? *data.xy_unit_m : metres_per_unit(crs);
   add_unit_warnings(data, frame, options.xy_unit_m.value_or(own_unit_m), options, result);
   result.notes.insert(result.notes.begin(), data.notes.begin(), data.notes.end());
   result.warnings.insert(result.warnings.begin(), data.warnings.begin(), data.warnings.end());
+  result.convergence_deg = convergence_at_middle(data, crs);
   const bool is_clean = data.is_clean;
   result.seafloor = place(data, frame, options);
   mend(result.seafloor, is_clean, result);

@@ -15,8 +15,10 @@ struct ImportOptions {
   std::string crs = {};        ///< 'EPSG:n' or WKT, overrides the file's own; empty: the file's own
   double water_level_m = 0.0;  ///< height of still water in the file's vertical datum, z up
   enum class ZPositive { up, down } z_positive = ZPositive::up;
-  /// Metres in one vertical unit, > 0. 1: the file's own unit where it names one, else metres.
-  double z_unit_m = 1.0;
+  /// Which axis of a mesh points up. ask: z, and a mesh that looks y up is refused.
+  enum class Up { ask, y, z } up = Up::ask;
+  /// Metres in one vertical unit, > 0; empty: the file's own unit where it names one, else metres.
+  std::optional<double> z_unit_m = {};
   std::optional<double> xy_unit_m = {};  ///< metres in one horizontal unit, > 0; empty: the CRS's
   std::optional<double> longest_edge_m =
       {};                             ///< soundings: triangles with a longer edge are left out
@@ -33,10 +35,13 @@ struct ImportOptions {
 struct ImportedSeafloor {
   Seafloor seafloor;
   MeshHealth health;
-  std::string file;        ///< as it was given
-  std::string kind;        ///< 'mesh', 'grid' or 'soundings'
-  std::string format;      ///< 'OBJ', 'GTiff', 'CSV', ...
-  std::string crs_name;    ///< 'EPSG:32633 (WGS 84 / UTM zone 33N)'; 'none'
+  std::string file;          ///< as it was given
+  std::string kind;          ///< 'mesh', 'grid' or 'soundings'
+  std::string format;        ///< 'OBJ', 'GTiff', 'CSV', ...
+  std::string crs_name;      ///< 'EPSG:32633 (WGS 84 / UTM zone 33N)'; 'none'
+  std::string file_crs_wkt;  ///< of the file's own coordinates, where `seafloor.frame` has another
+  /// The true azimuth of the frame's north at the middle of the data, degrees; 0 without a CRS.
+  double convergence_deg = 0.0;
   std::string input_hash;  ///< 'sha1:...' of the file's bytes
   std::size_t nodes = 0;   ///< vertices, valid cells or distinct soundings of the file
   Vec2 raw_min = Vec2::Zero(), raw_max = Vec2::Zero();  ///< extent in the file's own units
@@ -46,6 +51,11 @@ struct ImportedSeafloor {
   double longest_edge_m = 0.0;  ///< soundings: the limit that was used; else 0
   std::vector<std::string> notes, warnings;  ///< one sentence each
 };
+
+/// Places between the coordinates of the file and local metres, also where the file's are degrees
+/// or were brought to another CRS. @throws InvalidInput for a place that has no counterpart.
+[[nodiscard]] Vec2 local_of(const ImportedSeafloor& data, const Vec2& in_file);
+[[nodiscard]] Vec2 in_file_of(const ImportedSeafloor& data, const Vec2& local);
 
 /// Reads a triangle mesh (OBJ, PLY, OFF, STL, glTF, COLLADA, ...), a grid (Esri ASCII, GeoTIFF,
 /// BAG, netCDF, S-102, ...) or soundings (XYZ, CSV, LAS, points of a vector file) into the local

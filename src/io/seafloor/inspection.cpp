@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "coverage/tracing/coverage_grid.h"
 #include "io/files/crs.h"
 #include "planners/wording.h"
 
@@ -17,6 +18,7 @@ namespace {
 constexpr double kBeams = 256.0;
 constexpr Angle kHalfAngle = Angle::degrees(50.0);
 constexpr std::array kCells = {0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0};
+const auto kCellsOfAPlan = static_cast<double>(CoverageGrid::kMaxCells);
 /// Depths beyond this that also exceed the width of the data are hardly metres.
 constexpr double kDeepest = 1000.0;
 constexpr double kFlat = 0.05;       ///< metres of relief
@@ -77,17 +79,6 @@ std::string hidden_note(const Seafloor& top, const ImportedSeafloor& r) {
                      r.seafloor.faces.size());
 }
 
-/// True if the faces look along y rather than up, and z runs farther than y.
-bool looks_y_up(const ImportedSeafloor& r) {
-  if (r.kind != "mesh" || r.raw_z_max - r.raw_z_min <= r.raw_max.y() - r.raw_min.y()) return false;
-  Vec3 sum = Vec3::Zero();
-  for (const Seafloor::Face& f : r.seafloor.faces) {
-    const Vec3& a = r.seafloor.vertices[f[0]];
-    sum += (r.seafloor.vertices[f[1]] - a).cross(r.seafloor.vertices[f[2]] - a).cwiseAbs();
-  }
-  return sum.y() > 2.0 * std::max(sum.x(), sum.z());
-}
-
 }  // namespace
 
 SuggestedSettings suggest_settings(const Seafloor& seafloor) {
@@ -98,9 +89,16 @@ SuggestedSettings suggest_settings(const Seafloor& seafloor) {
   // Largest gap of an equiangular fan at the mean depth: 2 t sec^2(t) depth / beams.
   const double t = kHalfAngle.rad();
   const double gap = 2.0 * t / (std::cos(t) * std::cos(t)) * depths.mean / kBeams;
-  s.resolution_m = *std::min_element(kCells.begin(), kCells.end(), [&](double a, double b) {
+  const auto* cell = std::min_element(kCells.begin(), kCells.end(), [&](double a, double b) {
     return std::abs(std::log(a / gap)) < std::abs(std::log(b / gap));
   });
+  // What a plan would refuse is no suggestion: more cells than fit, or one larger than the area.
+  const auto too_many = [&](double side) {
+    return (size.x() / side + 1.0) * (size.y() / side + 1.0) > kCellsOfAPlan;
+  };
+  while (cell + 1 != kCells.end() && too_many(*cell)) ++cell;
+  while (cell != kCells.begin() && *cell > size.maxCoeff()) --cell;
+  s.resolution_m = *cell;
   s.swath_m = kBeams * s.resolution_m;
   const double ratio = depths.max / std::max(depths.min, 0.1 * depths.max);
   s.depth_bands = std::clamp(static_cast<int>(std::lround(std::log2(ratio))), 1, 4);
@@ -120,10 +118,6 @@ std::vector<std::string> warnings_of(const ImportedSeafloor& r) {
   const bool is_said = std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) {
     return w.find("looks like depths") != std::string::npos;
   });
-  warn_if(looks_y_up(r),
-          fmt::format("the mesh looks y up: y spans {:.4g} and z {:.4g}; turn it so that z points "
-                      "up, or export it with z up",
-                      r.raw_max.y() - r.raw_min.y(), r.raw_z_max - r.raw_z_min));
   warn_if(r.land_share > kMostlyLand && !is_said,
           fmt::format("{:.3g} % of the data lies above the water: this looks like depths, positive "
                       "down (<z positive> down), or another level (<water level>)",

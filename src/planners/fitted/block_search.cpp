@@ -78,10 +78,10 @@ const Outcome& BlockSearch::outcome_of(const Choice& choice) {
   const auto [it, fresh] = judged_.try_emplace(choice);
   if (fresh) {
     const std::vector<SurveyCurve> lines = lines_for(choice);
-    it->second =
-        shop_.estimate(lines, width_of(base_, shop_), angles_of(base_), coarse_,
-                       fmt::format("{}, block by block, most at {} degrees",
-                                   counted(lines.size(), "line"), axis_degrees(base_.azimuth_deg)));
+    it->second = shop_.estimate(
+        lines, width_of(base_, shop_), angles_of(base_), coarse_,
+        fmt::format("{}, block by block, most at {}", counted(lines.size(), "line"),
+                    azimuth_text(base_.azimuth_deg, shop_.options().grid_north.deg())));
   }
   return it->second;
 }

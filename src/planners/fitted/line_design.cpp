@@ -16,6 +16,7 @@
 #include "planners/rows/line_order.h"
 #include "planners/rows/survey_lines.h"
 #include "planners/steering/water_path.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
@@ -187,7 +188,8 @@ class Designer {
         options_.heading.value_or(best_azimuth(planning_.survey_area, least_width()));
     const double across = width_across(azimuth);
     const auto even = [&](int rows) {
-      return Recipe{fmt::format("{} even rows along {:.0f} degrees", rows, azimuth.deg()),
+      return Recipe{fmt::format("{} even rows along {}", rows,
+                                azimuth_text(azimuth.deg(), options_.grid_north.deg())),
                     [this, azimuth, spacing = across / rows](const SweptGround&) {
                       std::vector<SurveyCurve> curves;
                       for (const SurveyLine& line : parallel_lines(
@@ -253,11 +255,11 @@ class Designer {
         const int fewest =
             std::max(1, 1 + static_cast<int>(std::ceil((swaths - 1.0) / (1.0 - options_.overlap))));
         const auto spaced = [&](int rows) {
-          return Recipe{
-              fmt::format("{} rows along {:.0f} degrees, spaced by the depth", rows, azimuth.deg()),
-              [this, azimuth, percentile, rows](const SweptGround& ground) {
-                return rows_of(azimuth, percentile, rows, ground);
-              }};
+          return Recipe{fmt::format("{} rows along {}, spaced by the depth", rows,
+                                    azimuth_text(azimuth.deg(), options_.grid_north.deg())),
+                        [this, azimuth, percentile, rows](const SweptGround& ground) {
+                          return rows_of(azimuth, percentile, rows, ground);
+                        }};
         };
         offer(spaced(fewest_rows(fewest, kMostRows * fewest, spaced)));
       }
@@ -293,7 +295,8 @@ class Designer {
     for (double deg = 0.0; deg < 180.0; deg += kFrontStepDeg) {
       const Angle a = Angle::degrees(deg);
       const Vec2 reach = box.size().norm() * Vec2(sin(a), cos(a));
-      list.push_back({fmt::format("a line through the middle along {:.0f} degrees", deg),
+      list.push_back({fmt::format("a line through the middle along {}",
+                                  azimuth_text(deg, options_.grid_north.deg())),
                       {straight_curve(centre - reach, centre + reach)}});
     }
     add_isobaths(list);

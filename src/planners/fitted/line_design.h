@@ -17,9 +17,11 @@ enum class LineMethod {
 
 struct LineDesignOptions {
   LineMethod method = LineMethod::automatic;
-  double overlap = 0.0;               ///< share of a swath that overlaps the next one, [0, 0.4]
-  double most_missed = 5e-4;          ///< share of the area, (0, 1)
-  std::optional<Angle> heading = {};  ///< of straight lines; empty: searched
+  double overlap = 0.0;       ///< share of a swath that overlaps the next one, [0, 0.4]
+  double most_missed = 5e-4;  ///< share of the area, (0, 1)
+  /// Of straight lines in the frame, as its grid counts it; empty: searched.
+  std::optional<Angle> heading = {};
+  Angle grid_north = {};  ///< true azimuth of the frame's north, for what is said of azimuths
 };
 
 /// A seafloor with cells of one size, and the swaths of one opening angle over it.

@@ -29,9 +29,9 @@ BuiltRoute build(const StraightCandidate& c, LineWorkshop& shop) {
   return shop.build(lines_of(c, shop), width_of(c, shop), angles_of(c));
 }
 
-std::string describe(const StraightCandidate& c) {
-  return fmt::format("{} at {} degrees", counted(static_cast<std::size_t>(c.lines), "straight row"),
-                     axis_degrees(c.azimuth_deg));
+std::string describe(const StraightCandidate& c, Angle grid_north) {
+  return fmt::format("{} at {}", counted(static_cast<std::size_t>(c.lines), "straight row"),
+                     azimuth_text(c.azimuth_deg, grid_north.deg()));
 }
 
 }  // namespace swathplan

@@ -20,7 +20,8 @@ constexpr double kLineShares[] = {1.0, 0.85, 0.7, 1.15};
 /// The direction with the least metres of line is the yardstick. Directions that ask for more than
 /// this many times as much are left out.
 constexpr double kLongest = 1.3;
-/// Plans with less coverage than this are not varied, %.
+/// Plans with less coverage than this are not varied, %, where others reach it and no length or time
+/// is set.
 constexpr double kLeastUsefulPct = 70.0;
 
 std::vector<double> directions(const LineWorkshop& shop) {
@@ -102,6 +103,7 @@ class Search {
   }
 
   [[nodiscard]] const PlanGoal& goal() const { return shop_.options().goal; }
+  [[nodiscard]] bool has_budget() const { return goal().length_m || goal().time_s; }
   [[nodiscard]] int left() const { return budget_.candidates - static_cast<int>(pool_.size()); }
 
   void judge(const StraightCandidate& c) {
@@ -118,11 +120,11 @@ class Search {
     const BuiltRoute built = build(c, shop_);
     if (built.route.waypoints.size() < 2) return {};
     if (!routes_.insert(fingerprint(built.route)).second) return {};
-    return shop_.judge(built.route, budget_.coarse, describe(c));
+    return shop_.judge(built.route, budget_.coarse, describe(c, shop_.options().grid_north));
   }
   [[nodiscard]] Outcome estimated(const StraightCandidate& c) const {
     return shop_.estimate(lines_of(c, shop_), width_of(c, shop_), angles_of(c), budget_.coarse,
-                          describe(c));
+                          describe(c, shop_.options().grid_north));
   }
 
   /// Tries directions in the order of the metres of line that they ask for, the least first. Each
@@ -162,6 +164,22 @@ class Search {
         judge(c);
       }
     }
+    if (has_budget() && !list.empty()) few_rows(list[0].deg, list[0].swaths);
+  }
+
+  /// A length or time that is set may hold far fewer rows than W asks for.
+  void few_rows(double deg, double swaths) {
+    const int least = static_cast<int>(
+        *std::min_element(std::begin(kLineShares), std::end(kLineShares)) * swaths);
+    for (int lines = 1; lines < least && left() > budget_.candidates / 4; lines *= 2) {
+      for (const double azimuth : {deg, std::fmod(deg + 90.0, 180.0)}) {
+        if (azimuth != deg && shop_.options().heading) continue;
+        StraightCandidate c;
+        c.azimuth_deg = azimuth;
+        c.lines = lines;
+        judge(c);
+      }
+    }
   }
 
   /// Of the candidates on the front that were not varied yet: the one with the most worth, or the
@@ -176,8 +194,9 @@ class Search {
   [[nodiscard]] std::vector<std::size_t> front() const {
     const std::vector<Outcome> outcomes = outcomes_of(pool_);
     auto list = pareto_front(outcomes);
-    if (list.size() > 1) {
-      std::erase_if(list, [&](std::size_t i) { return outcomes[i].cover_pct < kLeastUsefulPct; });
+    const auto useful = [&](std::size_t i) { return outcomes[i].cover_pct >= kLeastUsefulPct; };
+    if (!has_budget() && std::any_of(list.begin(), list.end(), useful)) {
+      std::erase_if(list, [&](std::size_t i) { return !useful(i); });
     }
     return list;
   }

@@ -37,7 +37,7 @@ struct JudgedCandidate {
 [[nodiscard]] const std::vector<float>& width_of(const StraightCandidate& candidate,
                                                  LineWorkshop& shop);
 [[nodiscard]] LineAnglesOptions angles_of(const StraightCandidate& candidate);
-[[nodiscard]] std::string describe(const StraightCandidate& candidate);
+[[nodiscard]] std::string describe(const StraightCandidate& candidate, Angle grid_north);
 
 /// How much the simulator may be asked.
 struct SearchBudget {

@@ -37,6 +37,7 @@ std::vector<SurveyLine> lines_of(const Rows& rows, const PlanOptions& options, d
 Plan sailed(const std::vector<SurveyLine>& lines, const Rows& rows, const Ground& ground,
             const PlanOptions& options) {
   Plan plan;
+  plan.heading = rows.azimuth;
   plan.openings = {rows.fan.port + rows.fan.starboard};
   const double radius = options.vehicle.turn_radius_m;
   BuiltRoute built = shorter_order(options, [&](const RowOrder& order) {

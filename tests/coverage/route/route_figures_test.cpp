@@ -88,6 +88,37 @@ TEST(RouteFigures, BendsToEitherSideAreDifferentCurves) {
   EXPECT_EQ(figures(route_through(points, kLegFan)).turns, 2U);
 }
 
+/// Port, starboard and port again, as a boat turns onto a line that lies nearer than its turn.
+std::vector<Vec2> swung_turn(int bends) {
+  auto points = arc({70, 40}, 10, 90, 0, bends);
+  points.insert(points.begin(), {20, 50});
+  for (const Vec2& p : arc({90, 40}, 10, 180, 450, 3 * bends)) points.push_back(p);
+  return points;
+}
+
+TEST(RouteFigures, ATurnBetweenLinesIsOneManoeuvreHoweverItSwings) {
+  for (const int bends : {12, 60}) {
+    Route route = route_through(swung_turn(bends), kLegFan);
+    EXPECT_EQ(figures(route).turns, 2U) << bends;
+    for (std::size_t i = 1; i + 1 < route.waypoints.size(); ++i) {
+      route.waypoints[i].kind = LegKind::turn;
+    }
+    EXPECT_EQ(figures(route).turns, 1U) << bends;
+  }
+}
+
+TEST(RouteFigures, ACurveCountsOnceHoweverFewItsWaypoints) {
+  Vehicle ship;
+  ship.turn_radius_m = 20.0;
+  const Flat f;
+  for (const int bends : {5, 20, 90}) {
+    const RouteFigures curve =
+        route_figures(route_through(arc({50, 50}, 20, 0, 180, bends), kLegFan), ship,
+                      rectangle(0, 0, 100, 100), f.depths, 1000.0, 10.0);
+    EXPECT_EQ(curve.turns, 1U) << bends;
+  }
+}
+
 TEST(RouteFigures, AStraightRouteHasNoTurnAndNoRadius) {
   const RouteFigures f =
       figures(route_through({{10, 10}, {20, 20}, {20, 20}, {35, 35}, {70, 70}}, kLegFan));

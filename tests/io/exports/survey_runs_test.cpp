@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "io/sample_route.h"
 
 namespace swathplan {
@@ -46,6 +48,24 @@ TEST(WaypointNames, TellStartsAndEndsOfLines) {
   }
   names = waypoint_names(route);
   EXPECT_EQ(names[200], "line 1 end, line 7 start");
+}
+
+TEST(WaypointNames, ShortOnesAreUniqueWithinSixCharacters) {
+  Route route = test::lawnmower(130);
+  for (Waypoint& w : route.waypoints) {
+    if (w.line == 99) w.line = 1;  // a second stretch: '1_2'
+  }
+  const std::vector<std::string> names = short_waypoint_names(route);
+  EXPECT_EQ(names[0], "S1");
+  EXPECT_EQ(names[200], "E1");
+  EXPECT_EQ(names.back(), "E130");
+  for (const std::string& name : names) EXPECT_LE(name.size(), 6U) << name;
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  for (Waypoint& w : route.waypoints) {  // each line begins where the one before it ends
+    if (w.kind == LegKind::turn) w.kind = LegKind::line;
+  }
+  const std::vector<std::string> joined = short_waypoint_names(route);
+  EXPECT_EQ(std::set<std::string>(joined.begin(), joined.end()).size(), joined.size());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mesh/base/angle.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
@@ -60,6 +61,18 @@ TEST(Crs, PicksTheUtmZone) {
   EXPECT_THAT(crs_name(utm_crs(-180.0, 1.0)), testing::HasSubstr("EPSG:32601"));
   EXPECT_THAT(crs_name(utm_crs(179.9, 1.0)), testing::HasSubstr("EPSG:32660"));
   EXPECT_THAT(crs_name(utm_crs(266.3, 49.7)), testing::HasSubstr("EPSG:32615"));
+}
+
+TEST(Crs, ConvergenceIsTheTrueAzimuthOfGridNorth) {
+  // About tan(gamma) = tan(lon - lon0) sin(lat), east of the central meridian above 0.
+  const std::string utm = utm_crs(15.0, 60.0);
+  for (const double lon : {12.5, 15.0, 17.5}) {
+    const Vec2 at = CrsTransform(wgs84_crs(), utm)(Vec2(lon, 60.0));
+    const double expected = Angle::radians(std::atan(std::tan(Angle::degrees(lon - 15.0).rad()) *
+                                                     std::sin(Angle::degrees(60.0).rad())))
+                                .deg();
+    EXPECT_NEAR(meridian_convergence_deg(utm, at), expected, 0.003) << lon;
+  }
 }
 
 }  // namespace

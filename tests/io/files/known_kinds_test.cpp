@@ -7,6 +7,7 @@
 namespace swathplan {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using KnownKinds = ImportFiles;
 
@@ -26,6 +27,8 @@ TEST_F(KnownKinds, AreNamedByTheirFirstBytes) {
               HasSubstr("S7K"));
   EXPECT_THAT(says("a.gsf", std::string("\0\0\0\x0C\0\0\0\x0CGSF-v03.09", 18) + tail),
               HasSubstr("GSF"));
+  EXPECT_THAT(says("a.grd", std::string("CDF\x01\0\0\0\0", 8) + "side  xysize  x_range" + tail),
+              AllOf(HasSubstr("GMT"), HasSubstr("grdconvert")));
   EXPECT_THAT(says("a.csar", tail), HasSubstr("CARIS"));
   EXPECT_THAT(says("a.7z", "7z\xBC\xAF\x27\x1C" + tail), HasSubstr("unpack it first"));
   EXPECT_THAT(says("a.tif", "<!DOCTYPE html><html>"), HasSubstr("web page"));

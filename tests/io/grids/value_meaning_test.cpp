@@ -51,10 +51,18 @@ TEST_F(ValueMeaning, UnitOfTheBandIsHonoured) {
   EXPECT_EQ(unit("metre"), 1.0);
   EXPECT_EQ(unit("ft"), 0.3048);
   EXPECT_DOUBLE_EQ(unit("US survey foot"), 1200.0 / 3937.0);
-  EXPECT_EQ(unit("mile"), 1609.344);
   EXPECT_EQ(unit("mm"), 0.001);
-  const SurfaceData data = read_grid(tiff(path("b.tif"), {.unit = "mile"}));
-  EXPECT_THAT(data.notes, Contains(HasSubstr("z is in mile")));
+  const SurfaceData data = read_grid(tiff(path("b.tif"), {.unit = "ft"}));
+  EXPECT_THAT(data.notes, Contains(HasSubstr("z is in ft")));
+}
+
+TEST_F(ValueMeaning, UnitThatNoOceanIsDeepEnoughForIsNotThatOfZ) {
+  const auto miles = [&](double depth) {
+    return read_grid(tiff(path("a.tif"), {.unit = "mile", .values = {1, 2, 3, 4, 5, depth}}));
+  };
+  EXPECT_EQ(miles(-7.0).z_unit_m, 1609.344);
+  EXPECT_FALSE(miles(-8.0).z_unit_m);
+  EXPECT_THAT(miles(-8.0).warnings, Contains(HasSubstr("taken as metres")));
 }
 
 TEST_F(ValueMeaning, UnknownUnitIsWarnedAbout) {

@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "io/files/crs.h"
 #include "io/results/holidays_geojson.h"
 #include "io/sample_plan.h"
 #include "mesh/base/error.h"
@@ -37,6 +39,29 @@ Route changing() {
   route.waypoints[5].fan.reset();
   route.waypoints[7].feasible = false;
   return route;
+}
+
+/// A route over 180 degrees, in UTM.
+TEST(RouteGeojson, LegsAreCutAt180DegreesAndReadAsOneRoute) {
+  Frame frame;
+  frame.crs_wkt = utm_crs(179.99, 52.0);
+  frame.origin = CrsTransform(wgs84_crs(), frame.crs_wkt)(Vec2(180.0, 52.0));
+  const Route route = changing();
+  const std::string text = route_geojson(route, frame);
+  std::size_t parts = 0;
+  for (const json& feature : json::parse(text).at("features")) {
+    double low = 400.0, high = -400.0;
+    for (const json& p : feature.at("geometry").at("coordinates")) {
+      low = std::min(low, p.at(0).get<double>());
+      high = std::max(high, p.at(0).get<double>());
+    }
+    EXPECT_LT(high - low, 1.0);
+    ++parts;
+  }
+  EXPECT_GT(parts, legs(route).size());
+  const ImportedRoute back = parse_route_geojson(text, "r.geojson", frame, {});
+  EXPECT_TRUE(back.notes.empty());
+  EXPECT_NEAR(length_m(back.route), length_m(route), 1e-3);
 }
 
 std::string geojson_refusal(const std::string& text, const Frame& frame = geojson_frame(),

@@ -50,6 +50,10 @@ TEST_F(ForeignFiles, UnitOfAVectorColumnIsUsedUnlessAnotherIsGiven) {
   EXPECT_EQ(r.kind, "soundings");
   EXPECT_NEAR(depth_range(r.seafloor).max, 18 * 0.3048, 1e-9);
   EXPECT_NEAR(depth_range(import_seafloor(file, {.z_unit_m = 2.0}).seafloor).max, 36.0, 1e-9);
+  // Metres, where they are asked for, are an answer too.
+  const ImportedSeafloor metres = import_seafloor(file, {.z_unit_m = 1.0});
+  EXPECT_NEAR(depth_range(metres.seafloor).max, 18.0, 1e-9);
+  EXPECT_THAT(metres.notes, Contains(HasSubstr("not of 0.3048 m")));
 }
 
 TEST_F(ForeignFiles, PackedFilesAreReadAsTheyAre) {
@@ -176,21 +180,56 @@ TEST_F(ForeignFiles, UnitsOfColumnNamesScaleDepthsAndPlaces) {
   EXPECT_NEAR(depth_range(r.seafloor).max, 45 * 0.3048, 1e-9);
   EXPECT_NEAR(extent(r.seafloor).size().x(), 30 * 0.3048, 1e-9);
   EXPECT_NEAR(depth_range(import_seafloor(file, {.z_unit_m = 2.0}).seafloor).max, 90.0, 1e-9);
+  EXPECT_NEAR(depth_range(import_seafloor(file, {.z_unit_m = 1.0}).seafloor).max, 45.0, 1e-9);
   const ImportedSeafloor chosen = import_seafloor(file, {.columns = "x=2,y=1,z=3"});
   EXPECT_NEAR(depth_range(chosen.seafloor).max, 45 * 0.3048, 1e-9);
   EXPECT_THROW((void)import_seafloor(file, {.columns = "x=1"}), UsageError);
 }
 
-TEST_F(ForeignFiles, CoordinatesTooLargeForMetresAreWarnedAbout) {
+TEST_F(ForeignFiles, CoordinatesTooLargeForMetresAreFeetAndSoAreDepths) {
   std::string rows;
   for (int i = 0; i < 16; ++i) {
     rows += std::to_string(3250000 + 25 * (i % 4)) + " " + std::to_string(13800000 + 25 * (i / 4)) +
             " -38\n";
   }
   const auto file = write("a.xyz", rows);
-  EXPECT_THAT(import_seafloor(file).warnings, Contains(HasSubstr("if they are feet")));
-  EXPECT_THAT(import_seafloor(file, {.xy_unit_m = 0.3048}).warnings,
-              Not(Contains(HasSubstr("if they are feet"))));
+  constexpr double kUsFoot = 1200.0 / 3937.0;
+  const ImportedSeafloor feet = import_seafloor(file);
+  EXPECT_THAT(feet.warnings,
+              Contains(AllOf(HasSubstr("US survey feet, and so was z"), HasSubstr("<z unit>"))));
+  EXPECT_NEAR(depth_range(feet.seafloor).max, 38.0 * kUsFoot, 1e-9);
+  EXPECT_NEAR(extent(feet.seafloor).size().x(), 75.0 * kUsFoot, 1e-6);
+  const ImportedSeafloor metres = import_seafloor(file, {.z_unit_m = 1.0, .xy_unit_m = 1.0});
+  EXPECT_THAT(metres.warnings, Not(Contains(HasSubstr("US survey feet"))));
+  EXPECT_NEAR(depth_range(metres.seafloor).max, 38.0, 1e-9);
+}
+
+TEST_F(ForeignFiles, MeshesThatLookYUpAreAskedAbout) {
+  const auto file = write("a.obj",
+                          "v 0 -10 0\nv 100 -10 0\nv 100 -12 -100\nv 0 -12 -100\n"
+                          "f 1 2 3\nf 1 3 4\n");
+  EXPECT_THAT(refusal([&] { return import_seafloor(file); }),
+              AllOf(HasSubstr("looks y up"), HasSubstr("<up> y")));
+  const ImportedSeafloor turned = import_seafloor(file, {.up = ImportOptions::Up::y});
+  EXPECT_NEAR(plan_area_m2(turned.seafloor), 10'000.0, 1e-6);
+  EXPECT_NEAR(depth_range(turned.seafloor).max, 12.0, 1e-9);
+  EXPECT_NEAR(extent(turned.seafloor).max.y(), 100.0, 1e-9);
+  EXPECT_EQ(import_seafloor(file, {.up = ImportOptions::Up::z}).raw_z_min, -100.0);
+}
+
+TEST_F(ForeignFiles, StartsAndEndsInTheFilesOwnDegrees) {
+  std::string rows = "lon,lat,depth\n";
+  for (int i = 0; i < 25; ++i) {
+    rows += std::to_string(12.5 + 0.0002 * (i % 5)) + "," +
+            std::to_string(60.0 + 0.0001 * (i / 5)) + ",9\n";
+  }
+  const ImportedSeafloor r = import_seafloor(write("a.csv", rows));
+  const Vec2 local = local_of(r, Vec2(12.5004, 60.0002));
+  EXPECT_LT((local - 0.5 * (extent(r.seafloor).min + extent(r.seafloor).max)).norm(), 1.0);
+  EXPECT_NEAR((in_file_of(r, local) - Vec2(12.5004, 60.0002)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(r.convergence_deg, -2.165, 0.01);
+  EXPECT_THAT(refusal([&] { return local_of(r, Vec2(361'000.0, 6'654'000.0)); }),
+              HasSubstr("is in degrees"));
 }
 
 TEST_F(ForeignFiles, ReadableTextIsNeverCalledGarbled) {

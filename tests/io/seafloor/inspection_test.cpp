@@ -44,6 +44,11 @@ TEST(Inspection, SuggestsCellsThatTheFanFills) {
   // 256 beams over 100 degrees leave gaps of 2 t sec^2(t) d / 256 = 0.0165 d.
   EXPECT_DOUBLE_EQ(suggest_settings(flat(100, 100, 6.0)).resolution_m, 0.1);
   EXPECT_DOUBLE_EQ(suggest_settings(flat(100, 100, 30.0)).resolution_m, 0.5);
+  // Neither more cells than a plan takes nor one larger than the area.
+  Seafloor wide = flat(100, 100, 6.0);
+  for (Vec3& v : wide.vertices) v.head<2>() *= 400.0;
+  EXPECT_DOUBLE_EQ(suggest_settings(wide).resolution_m, 1.0);
+  EXPECT_DOUBLE_EQ(suggest_settings(flat(4, 2, 2000.0)).resolution_m, 2.0);
   const SuggestedSettings s = suggest_settings(flat(256, 100, 6.0));
   EXPECT_DOUBLE_EQ(s.swath_m, 25.6);
   EXPECT_EQ(s.depth_bands, 1);

@@ -54,6 +54,25 @@ TEST(FittedLines, CoverTheSaddleBetterThanTheMeshPlannersAtLessPath) {
   EXPECT_LE(score.route.outside_water_m, 0.01);
 }
 
+TEST(FittedLines, ABudgetMayHoldFarFewerRowsThanTheAreaAsksFor) {
+  const ScoredSite site(flat(60.0, 60.0, 10.0), 10.0);
+  PlanOptions options = quarter_metre();
+  options.sonar.beams = 40;  // W = 10 m: six rows
+  options.goal.length_m = 140.0;
+  const Plan plan = plan_fitted_lines(site.ground, options);
+  EXPECT_LE(length_m(plan.route), 140.0) << plan.chosen_why;
+  EXPECT_LT(plan.choices[plan.chosen].cover_pct, 70.0);
+}
+
+TEST(FittedLines, NoFloorOfCoverageWhereNothingPassesIt) {
+  const ScoredSite site(flat(60.0, 40.0, 10.0), 10.0);
+  PlanOptions options = quarter_metre();
+  options.pings.spacing_m = 4.0;  // one row of cells in sixteen
+  const Plan plan = plan_fitted_lines(site.ground, options);
+  EXPECT_EQ(fault(plan.route), std::nullopt);
+  EXPECT_LT(plan.choices[plan.chosen].cover_pct, 70.0);
+}
+
 TEST(FittedLines, ChoicesRiseInLengthAndCoverageAndSayWhatTheScorerSays) {
   const ScoredSite site(stepped(32.0, 24.0, 5.0, 8.0));
   const PlanOptions options = quarter_metre();
