@@ -60,9 +60,10 @@ void check_same_place(const PlacedRoute& placed, const std::vector<Vec2>& lonlat
   }
 }
 
-class Reader {
+/// Reads the route of a file into a frame.
+class FrameReader {
  public:
-  Reader(const std::filesystem::path& path, std::vector<std::string>& notes)
+  FrameReader(const std::filesystem::path& path, std::vector<std::string>& notes)
       : path_(path), notes_(notes) {}
 
   [[nodiscard]] PlacedRoute read(const Frame& frame) const {
@@ -90,7 +91,7 @@ ExportableRoute read_exportable_route(const std::filesystem::path& path,
   }
   const std::string text = read_text(path);
   ExportableRoute result;
-  const Reader reader(path, result.notes);
+  const FrameReader reader(path, result.notes);
   if (!crs_wkt.empty() || is_geojson_in_degrees(text)) {
     Frame frame = frame_of(crs_wkt);
     if (crs_wkt.empty()) {

@@ -108,9 +108,9 @@ std::string stated_crs(const Json& document) {
 }
 
 /// Turns the points of all lines into local metres.
-class Placer {
+class PointPlacer {
  public:
-  Placer(const Json& document, const std::string& file, const Frame& frame)
+  PointPlacer(const Json& document, const std::string& file, const Frame& frame)
       : frame_(frame), file_(file), kind_(coordinates_of(document)) {
     if (kind_ == Coordinates::seafloor_file) return;
     if (frame.crs_wkt.empty()) {
@@ -325,7 +325,7 @@ ImportedRoute parse_route_geojson(std::string_view text, const std::string& name
   if (reader.lines().empty()) {
     throw InvalidInput(fmt::format("'{}' is not a route: it holds no LineString", name));
   }
-  const Placer placer(document, name, frame);
+  const PointPlacer placer(document, name, frame);
   for (NamedLine& line : reader.lines()) placer.place(line);
   ImportedRoute imported;
   check_fans(reader.lines(), reader, defaults, imported);

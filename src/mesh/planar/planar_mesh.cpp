@@ -32,9 +32,10 @@ constexpr double kLatticeKeepOff = 0.42;
 /// A face with an edge longer than this, in lattice steps times the square root of 2, is refined.
 constexpr double kLargestEdge = 1.6;
 
-class Builder {
+/// The constrained Delaunay triangulation of an area: outline, then lattice, then refinement.
+class AreaTriangulation {
  public:
-  Builder(const Area& area, double step) : area_(area), step_(step) {}
+  AreaTriangulation(const Area& area, double step) : area_(area), step_(step) {}
 
   void insert_outline() {
     for (const Polygon& polygon : area_) {
@@ -141,11 +142,11 @@ PlanarMesh planar_mesh(const Area& area, const PlanarMeshOptions& options) {
     throw UsageError("the faces' hypotenuse must be above 0 metres");
   const FaceLayout layout = face_layout(area, options.hypotenuse_m, options.turn);
   const Area& turned = layout.area;
-  Builder builder(turned, options.hypotenuse_m / std::numbers::sqrt2);
-  builder.insert_outline();
-  for (const Polygon& polygon : turned) builder.insert_lattice(polygon);
-  builder.refine();
-  PlanarMesh mesh = builder.mesh(layout.turned_by);
+  AreaTriangulation triangulation(turned, options.hypotenuse_m / std::numbers::sqrt2);
+  triangulation.insert_outline();
+  for (const Polygon& polygon : turned) triangulation.insert_lattice(polygon);
+  triangulation.refine();
+  PlanarMesh mesh = triangulation.mesh(layout.turned_by);
   require_faces(mesh);
   return mesh;
 }

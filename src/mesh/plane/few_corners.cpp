@@ -103,10 +103,10 @@ bool surrounded(const std::vector<Ring>& rings, const Vec2& p) {
   return inside;
 }
 
-/// Sorts the pieces beside a band into the two areas.
-class Sorter {
+/// Builds the two areas of a bracket from the pieces beside a band.
+class BracketBuilder {
  public:
-  explicit Sorter(const std::vector<Ring>& original) : original_(original) {}
+  explicit BracketBuilder(const std::vector<Ring>& original) : original_(original) {}
 
   /// The bands of a node that lie in the open, each a polygon of its own.
   void open_bands(const ClipperLib::PolyNode& node) {
@@ -177,9 +177,9 @@ Bracket bracket(const std::vector<Ring>& rings, double tolerance_m) {
   if (rectangles.empty()) return {};
   ClipperLib::PolyTree band;
   unite_in_halves(rectangles, 0, rectangles.size(), band);
-  Sorter sorter(rings);
-  sorter.open_bands(band);
-  Bracket result = sorter.take();
+  BracketBuilder builder(rings);
+  builder.open_bands(band);
+  Bracket result = builder.take();
   largest_first(result.within);
   largest_first(result.around);
   return result;

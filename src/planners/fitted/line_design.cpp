@@ -68,9 +68,10 @@ struct Candidate {
   LinesFigures figures;
 };
 
-class Designer {
+/// Tries candidates of all methods on one ground and keeps the shortest that miss little enough.
+class LineDesigner {
  public:
-  Designer(const Ground& planning, const SweptGround& ground, const LineDesignOptions& options)
+  LineDesigner(const Ground& planning, const SweptGround& ground, const LineDesignOptions& options)
       : planning_(planning),
         ground_(ground),
         options_(options),
@@ -395,7 +396,7 @@ DesignGround::DesignGround(const Ground& planning, Angle opening, double draft_m
 DesignedLines design_lines(const Ground& planning, const DesignGround& search,
                            const DesignGround& judge, const LineDesignOptions& options) {
   check(options);
-  return Designer(planning, search.swaths, options).run(judge.swaths);
+  return LineDesigner(planning, search.swaths, options).run(judge.swaths);
 }
 
 namespace {

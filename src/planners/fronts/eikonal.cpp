@@ -11,9 +11,10 @@ namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
-class Marcher {
+/// First-order fast marching. A cell is accepted once its value is final.
+class FastMarching {
  public:
-  Marcher(const WaterRaster& raster, const std::vector<float>& width)
+  FastMarching(const WaterRaster& raster, const std::vector<float>& width)
       : raster_(raster), width_(width), accepted_(raster.size(), 0) {
     front_.u.assign(raster.size(), kFar);
     front_.label.assign(raster.size(), kNoLabel);
@@ -85,7 +86,7 @@ class Marcher {
 
 Front march(const WaterRaster& raster, const std::vector<float>& width,
             const std::vector<FrontCell>& from, double farthest) {
-  return Marcher(raster, width).run(from, farthest);
+  return FastMarching(raster, width).run(from, farthest);
 }
 
 }  // namespace swathplan
