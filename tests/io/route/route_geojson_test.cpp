@@ -173,7 +173,7 @@ TEST(RouteGeojson, RefusesWhatIsNoRoute) {
   EXPECT_THAT(geojson_refusal(R"({"type":"FeatureCollection"})"),
               HasSubstr("'features' is missing"));
   EXPECT_THAT(geojson_refusal(R"({"type":"Point","coordinates":[1,2]})"),
-              HasSubstr("holds no LineString"));
+              HasSubstr("holds neither a LineString nor two points"));
   EXPECT_THAT(geojson_refusal(R"({"type":"LineString","coordinates":[[1,2],[3,4]]})"),
               HasSubstr("the seafloor has no CRS"));
   EXPECT_THAT(
