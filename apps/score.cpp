@@ -3,7 +3,9 @@
 #include <memory>
 
 #include "apps/commands.h"
+#include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
+#include "io/files/lonlat.h"
 #include "io/results/score_json.h"
 #include "io/route/read_route.h"
 #include "mesh/base/error.h"
@@ -50,18 +52,43 @@ FanAngles default_fan(const ScoreCommand& command, const Survey& survey, const S
   return fan_for_depth(survey.planning, depth_range(site.seafloor()).mean);
 }
 
-/// Refuses a route that comes nowhere near the data: it has another CRS or belongs to another
-/// place.
-void check_meets_data(const Route& route, const Site& site, const std::filesystem::path& file) {
+bool is_near_data(const std::vector<Vec2>& points, const Site& site) {
   Box2 box = extent(site.seafloor());
   const double reach = std::max(100.0, box.size().norm());
   box.min.array() -= reach;
   box.max.array() += reach;
   Box2 of_route;
-  for (const Waypoint& w : route.waypoints) of_route.extend(w.position);
-  const bool apart = (of_route.min.array() > box.max.array()).any() ||
-                     (of_route.max.array() < box.min.array()).any();
-  if (!apart) return;
+  for (const Vec2& p : points) of_route.extend(p);
+  return !(of_route.min.array() > box.max.array()).any() &&
+         !(of_route.max.array() < box.min.array()).any();
+}
+
+/// True if the route would meet the data with longitude and latitude exchanged.
+bool is_near_if_swapped(const std::vector<Vec2>& points, const Site& site) {
+  const LonLat degrees(site.seafloor().frame);
+  if (!degrees.known()) return false;
+  try {
+    std::vector<Vec2> lonlat = degrees.from_local(points);
+    for (Vec2& p : lonlat) {
+      p = {p.y(), p.x()};
+      if (std::abs(p.y()) > 90.0) return false;
+    }
+    return is_near_data(degrees.to_local(lonlat), site);
+  } catch (const InvalidInput&) {
+    return false;  // some place has no counterpart
+  }
+}
+
+/// A route that nowhere comes near the data is in another CRS or of another place.
+void check_meets_data(const Route& route, const Site& site, const std::filesystem::path& file) {
+  const std::vector<Vec2> points = positions(route.waypoints);
+  if (is_near_data(points, site)) return;
+  if (is_near_if_swapped(points, site)) {
+    throw InvalidInput(fmt::format(
+        "'{}': the route lies outside the seafloor's data, but with latitude and longitude "
+        "exchanged it would meet them: the file has them in the wrong order; exchange them there",
+        file.string()));
+  }
   throw InvalidInput(fmt::format(
       "'{}': the route lies outside the seafloor's data; check that both are in the same CRS "
       "(lon_deg,lat_deg or the coordinates of the seafloor's file)",
@@ -123,13 +150,17 @@ void run(const ScoreCommand& command) {
     surveys.push_back(recorded("infill", name + " + infill", std::move(*filled), std::move(again),
                                *site, survey));
     surveys[1].judged = scorer.judge("judge infill", surveys[1].plan.route);
-    write_survey(folder / "infill", surveys[1], *site, provenance);
   }
-  write_survey(folder, surveys[0], *site, provenance);
-  write_survey_toml(folder, provenance);
-  write_survey_report(folder / "report.html",
-                      fmt::format("{}: {}", command.site.file.filename().string(), name), surveys,
-                      *site, provenance);
+  write_all_or_none(folder, [&](const std::filesystem::path& staging) {
+    if (filled) write_survey(staging / "infill", surveys[1], *site, provenance);
+    write_survey(staging, surveys[0], *site, provenance);
+    write_survey_toml(staging, provenance);
+    write_survey_report(staging / "report.html",
+                        fmt::format("{}: {}", command.site.file.filename().string(), name), surveys,
+                        *site, provenance);
+    if (filled) remove_old_survey(folder / "infill", *site);
+    remove_old_survey(folder, *site);
+  });
   if (!command.output.quiet) print_notes(surveys);
   if (command.output.json) {
     // With infill, --json prints the figures of the new route.
@@ -148,9 +179,11 @@ Command score_command() {
   auto command = std::make_shared<ScoreCommand>();
   return {
       "score",
-      "Score any route.csv or GeoJSON line, ours or not",
+      "Score any route: of this program, of an autopilot, chart system or survey package",
       joined({site_options(command->site),
-              {argument("ROUTE", command->route, "route.csv, another CSV of points, or GeoJSON")},
+              {argument(
+                  "ROUTE", command->route,
+                  "route.csv or another CSV, GeoJSON, .plan, .waypoints, GPX, KML, RTZ, LNW, DXF")},
               scoring_options(command->survey),
               criteria_options(command->survey.criteria),
               own_options(*command),
