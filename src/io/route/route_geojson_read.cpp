@@ -26,18 +26,22 @@ class LineReader {
  public:
   explicit LineReader(std::string file) : file_(std::move(file)) {}
 
-  void read(const Json& node, const Json& properties, const std::string& label) {
+  void read(const Json& node, const Json& properties, const std::string& label, int depth = 0) {
+    constexpr int kMostDepth = 50;
+    if (depth > kMostDepth) fail("GeoJSON", "its collections are nested too deeply");
     const std::string type = node.is_object() ? node.value("type", std::string()) : std::string();
     if (type == "FeatureCollection") {
       each(node, "features", [&](const Json& f, std::size_t i) {
-        read(f, Json::object(), fmt::format("feature {}", i));
+        read(f, Json::object(), fmt::format("feature {}", i), depth + 1);
       });
     } else if (type == "Feature") {
       const Json own = node.value("properties", Json());
       const Json geometry = node.value("geometry", Json());
-      if (!geometry.is_null()) read(geometry, own.is_object() ? own : Json::object(), label);
+      if (!geometry.is_null())
+        read(geometry, own.is_object() ? own : Json::object(), label, depth + 1);
     } else if (type == "GeometryCollection") {
-      each(node, "geometries", [&](const Json& g, std::size_t) { read(g, properties, label); });
+      each(node, "geometries",
+           [&](const Json& g, std::size_t) { read(g, properties, label, depth + 1); });
     } else if (type == "LineString") {
       add(node, "coordinates", properties, label);
     } else if (type == "MultiLineString") {
@@ -242,7 +246,7 @@ class Properties {
       reader_.fail(line_.label,
                    fmt::format("kind {} is none of line, turn, transit, cross, infill, "
                                "run_in, run_out",
-                               value->dump()));
+                               value->is_string() ? value->dump() : value->type_name()));
     }
     return *known;
   }
