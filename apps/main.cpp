@@ -39,8 +39,7 @@ std::vector<swathplan::Command> all_commands() {
 int run(int argc, char** argv) {
   int code = 0;
   try {
-    code = swathplan::run_commands(
-        kWhat, swathplan::version_text, all_commands(), argc, argv);
+    code = swathplan::run_commands(kWhat, swathplan::version_text, all_commands(), argc, argv);
   } catch (const std::system_error& e) {
     if (std::ferror(stdout) != 0) swathplan::throw_unprinted(e.code().message());
     throw;

@@ -122,7 +122,8 @@ TEST(RouteCsv, ReadsTheDecimalCommasOfSpreadsheets) {
                       "lines.csv", csv_frame(), {});
   EXPECT_EQ(csv_frame().to_file(read.route.waypoints[0].position), Vec2(101.5, 202.25));
   EXPECT_NEAR(read.route.waypoints[0].fan->port.deg(), 45.5, 1e-9);
-  EXPECT_THAT(csv_refusal("x_m;y_m\n1.234,5;2\n3;4\n"), HasSubstr("is not a finite number"));
+  EXPECT_THAT(csv_refusal("x_m;y_m;port_deg;stbd_deg\n1.234,5;2;45;45\n3;4;45;45\n"),
+              HasSubstr("is not a finite number"));
 }
 
 TEST(RouteCsv, TakesRoutesWithoutAStatusAndWithAnotherOne) {
