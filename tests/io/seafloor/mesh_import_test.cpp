@@ -74,6 +74,9 @@ TEST_F(MeshImport, RefusesTruncatedAndGarbledFiles) {
   EXPECT_THAT(says("a.obj", vertices + "f 1 2 9\n"), HasSubstr("vertex 9"));
   EXPECT_THAT(says("a.obj", vertices + "f 1 2 0\n"), HasSubstr("line 4"));
   EXPECT_THAT(says("a.obj", vertices + "f 1 2\n"), HasSubstr("fewer than three"));
+  std::string many = vertices + "f";
+  for (int i = 0; i < 3000; ++i) many += " " + std::to_string(i % 3 + 1);
+  EXPECT_THAT(says("a.obj", many + "\n"), HasSubstr("face 1: has 3000 corners"));
   EXPECT_THAT(says("a.obj", "v 0 0 nan\n"), HasSubstr("not finite"));
   EXPECT_THAT(says("a.obj", "v 0,5 0 -1\n"), HasSubstr("line 1"));
   EXPECT_THAT(says("a.ply", kPlyHead), HasSubstr("end_header"));
