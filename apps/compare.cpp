@@ -5,6 +5,7 @@
 
 #include "apps/commands.h"
 #include "apps/exports.h"
+#include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
 #include "io/files/atomic_file.h"
 #include "io/results/score_json.h"
@@ -67,9 +68,11 @@ void run(const CompareCommand& command) {
   std::vector<PlannedSurvey> surveys;
   auto json = nlohmann::ordered_json::array();
   const auto write_overview = [&] {
-    write_text_atomically(folder / "compare.json", json.dump(2) + "\n");
-    write_survey_report(folder / "report.html", command.site.file.filename().string(), surveys,
-                        *site, provenance);
+    write_all_or_none(folder, [&](const std::filesystem::path& staging) {
+      write_text_atomically(staging / "compare.json", json.dump(2) + "\n");
+      write_survey_report(staging / "report.html", command.site.file.filename().string(), surveys,
+                          *site, provenance);
+    });
   };
   {
     const Scorer scorer(*site, how, command.output.quiet);
@@ -83,9 +86,14 @@ void run(const CompareCommand& command) {
         continue;
       }
       const PlannedSurvey& survey = surveys.back();
-      write_survey(folder / survey.record.planner, survey, *site, provenance);
-      write_exports(folder / survey.record.planner, survey.plan.route, *site, exports,
-                    command.output.quiet);
+      const std::filesystem::path own = folder / survey.record.planner;
+      WrittenExports exported;
+      write_all_or_none(own, [&](const std::filesystem::path& staging) {
+        write_survey(staging, survey, *site, provenance);
+        exported = write_exports(staging, survey.plan.route, *site, exports);
+        remove_old_survey(own, *site);
+      });
+      print_exports(std::move(exported.files), own, survey.plan.route, command.output.quiet);
       json.push_back(nlohmann::ordered_json::parse(
           score_json(survey.record.planner, survey.scored.score, provenance)));
       for (const std::string& note : survey.plan.notes) {

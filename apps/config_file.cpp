@@ -88,20 +88,21 @@ Json read_json(const std::string& text, const std::string& file) {
   return options;
 }
 
-std::string as_typed(const Json& value) {
+std::string as_typed(const Json& value, const std::string& name, const std::string& file) {
+  if (value.is_structured()) {
+    throw UsageError(
+        fmt::format("'{}': '{}' must be a number, a text or a list of them", file, name));
+  }
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 ConfigEntry entry(const std::string& name, const Json& value, const std::string& file) {
   ConfigEntry result{name, {}};
-  if (value.is_object()) {
-    throw UsageError(fmt::format("'{}': '{}' must be a number, a text or a list", file, name));
-  }
   if (!value.is_array()) {
-    result.texts.push_back(as_typed(value));
+    result.texts.push_back(as_typed(value, name, file));
     return result;
   }
-  for (const Json& part : value) result.texts.push_back(as_typed(part));
+  for (const Json& part : value) result.texts.push_back(as_typed(part, name, file));
   return result;
 }
 
@@ -119,7 +120,7 @@ std::vector<ConfigEntry> read_config(const std::filesystem::path& file) {
   const Json options = json ? read_json(text, shown) : read_toml(text, shown);
   std::vector<std::string> derived;
   if (options.contains("derived") && options["derived"].is_array()) {
-    for (const Json& name : options["derived"]) derived.push_back(as_typed(name));
+    for (const Json& name : options["derived"]) derived.push_back(as_typed(name, "derived", shown));
   }
   std::vector<ConfigEntry> entries;
   for (const auto& [name, value] : options.items()) {

@@ -4,6 +4,7 @@
 
 #include "apps/commands.h"
 #include "apps/exports.h"
+#include "apps/outlets/whole_folder.h"
 #include "io/exports/exportable_route.h"
 #include "io/files/crs.h"
 #include "mesh/base/error.h"
@@ -19,6 +20,21 @@ struct ExportCommand {
   bool quiet = false;
 };
 
+/// The route that was read must not be replaced by a thinner one of itself.
+void check_keeps_route(const std::filesystem::path& route, const std::filesystem::path& folder,
+                       const ExportOptions& options) {
+  for (const ExportFormat format : options.formats) {
+    std::error_code ignored;
+    const std::filesystem::path file =
+        folder / fmt::format("{}.{}", route.stem().string(), name(format));
+    if (!std::filesystem::equivalent(file, route, ignored)) continue;
+    throw UsageError(
+        fmt::format("--format {} would replace '{}' itself: choose another folder "
+                    "with -o",
+                    name(format), route.string()));
+  }
+}
+
 void run(const ExportCommand& command) {
   const ExportOptions options = export_options(command.choice);
   const std::string crs = command.crs.empty() ? "" : parse_crs(command.crs);
@@ -27,15 +43,20 @@ void run(const ExportCommand& command) {
       command.folder.empty() ? command.route.parent_path() : command.folder;
   const std::string stem = command.route.stem().string();
   check_export_crs(options.formats, route.geographic.frame);
-  remove_exports(folder, stem, options.formats);
+  check_keeps_route(command.route, folder, options);
   std::string why;
   const ExportOptions kept = sailable_exports(route.planar.route, nullptr, options, why);
   if (kept.formats.empty()) {
     throw InvalidInput(fmt::format("'{}': {}", command.route.string(), why));
   }
   if (!why.empty()) fmt::print(stderr, "warning: {}\n", why);
-  const auto exported = export_route(folder, stem, route.geographic, route.planar, kept);
+  std::vector<ExportedRoute> exported;
+  write_all_or_none(folder, [&](const std::filesystem::path& staging) {
+    exported = export_route(staging, stem, route.geographic, route.planar, kept);
+    remove_exports(folder, stem, options.formats);
+  });
   if (command.quiet) return;
+  move_names(exported, folder);
   for (const std::string& note : route.notes) fmt::print(stderr, "note: {}\n", in_flags(note));
   fmt::print("{}", export_table(exported));
   print_export_warnings(route.planar.route, exported);
@@ -49,7 +70,8 @@ Command export_command() {
   return {
       "export",
       "Write a route as files that autopilots, chart systems and survey packages read",
-      {argument("ROUTE", command->route, "route.csv, another CSV of points, or GeoJSON"),
+      {argument("ROUTE", command->route,
+                "route.csv or another CSV, GeoJSON, .plan, .waypoints, GPX, KML, RTZ, LNW, DXF"),
        required(texts("--format", group, command->choice.formats,
                       "Of " + export_format_names() + "; separated by commas", "format")),
        real("--tolerance", group, command->choice.tolerance_m, kMetres, at_least(0.0),

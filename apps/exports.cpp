@@ -109,21 +109,30 @@ ExportOptions sailable_exports(const Route& route, const AreaQuery* water,
   return kept;
 }
 
-std::string write_exports(const std::filesystem::path& folder, const Route& route, const Site& site,
-                          const ExportOptions& asked, bool quiet) {
-  remove_exports(folder, "route", all_export_formats());
+WrittenExports write_exports(const std::filesystem::path& folder, const Route& route,
+                             const Site& site, const ExportOptions& asked) {
   if (asked.formats.empty()) return {};
   const AreaQuery water(site.water);
   std::string why;
   const ExportOptions options = sailable_exports(route, &water, asked, why);
   if (!why.empty()) fmt::print(stderr, "warning: {}\n", why);
-  if (options.formats.empty()) return why;
+  if (options.formats.empty()) return {{}, why};
   const PlacedRoute placed{route, site.seafloor().frame, &water};
-  const auto exported = export_route(folder, "route", placed, placed, options);
-  if (quiet) return why;
+  return {export_route(folder, "route", placed, placed, options), why};
+}
+
+void move_names(std::vector<ExportedRoute>& exported, const std::filesystem::path& folder) {
+  for (ExportedRoute& e : exported) {
+    for (std::filesystem::path& file : e.files) file = folder / file.filename();
+  }
+}
+
+void print_exports(std::vector<ExportedRoute> exported, const std::filesystem::path& folder,
+                   const Route& route, bool quiet) {
+  if (quiet || exported.empty()) return;
+  move_names(exported, folder);
   fmt::print(stderr, "{}", export_table(exported));
   print_export_warnings(route, exported);
-  return why;
 }
 
 }  // namespace swathplan

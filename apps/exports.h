@@ -24,10 +24,18 @@ void print_export_warnings(const Route& route, const std::vector<ExportedRoute>&
 [[nodiscard]] ExportOptions sailable_exports(const Route& route, const AreaQuery* water,
                                              const ExportOptions& options, std::string& why);
 
-/// Writes the exports of a planned route beside its route.csv, kept to the site's safe water, and
-/// removes those of an older one; their table goes to stderr if there are any, as do warnings.
-/// Returns why formats are left out (sailable_exports), else nothing.
-std::string write_exports(const std::filesystem::path& folder, const Route& route, const Site& site,
-                          const ExportOptions& options, bool quiet);
+/// What write_exports left behind.
+struct WrittenExports {
+  std::vector<ExportedRoute> files;
+  std::string why;  ///< formats are left out (sailable_exports), else empty
+};
+/// Writes the exports of a planned route beside its route.csv, kept to the site's safe water.
+[[nodiscard]] WrittenExports write_exports(const std::filesystem::path& folder, const Route& route,
+                                           const Site& site, const ExportOptions& options);
+/// Names the files as they are called in `folder`, for those that were moved there.
+void move_names(std::vector<ExportedRoute>& exported, const std::filesystem::path& folder);
+/// To stderr: the table of exports that now stand in `folder`, and their warnings.
+void print_exports(std::vector<ExportedRoute> exported, const std::filesystem::path& folder,
+                   const Route& route, bool quiet);
 
 }  // namespace swathplan

@@ -6,6 +6,7 @@
 
 #include "apps/commands.h"
 #include "apps/exports.h"
+#include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
 #include "io/files/atomic_file.h"
 #include "io/pictures/lines_png.h"
@@ -124,15 +125,20 @@ std::string write_lines(const std::filesystem::path& folder, const DesignedLines
                         std::string& unserved) {
   const Frame& frame = site.seafloor().frame;
   const Route route = route_of(designed, site.water, Angle::degrees(c.opening_deg), vehicle);
-  write_route_csv(folder / "route.csv", route, frame);
-  write_route_geojson(folder, route, frame);
   unserved = unserved_note(site, route);
-  const std::string why = write_exports(folder, route, site, exports, c.output.quiet);
-  write_lines_png(folder / "lines.png", judge.swaths, designed.lines,
-                  fmt::format("{}\n{:.1f} km, {:.3f} of the least, {:.3f} % missed", designed.what,
-                              designed.figures.length_m / 1000.0, designed.figures.ratio(),
-                              100.0 * designed.figures.missed));
-  return why;
+  WrittenExports exported;
+  write_all_or_none(folder, [&](const std::filesystem::path& staging) {
+    write_route_csv(staging / "route.csv", route, frame);
+    write_route_geojson(staging, route, frame);
+    exported = write_exports(staging, route, site, exports);
+    write_lines_png(staging / "lines.png", judge.swaths, designed.lines,
+                    fmt::format("{}\n{:.1f} km, {:.3f} of the least, {:.3f} % missed",
+                                designed.what, designed.figures.length_m / 1000.0,
+                                designed.figures.ratio(), 100.0 * designed.figures.missed));
+    remove_old_survey(folder, site);
+  });
+  print_exports(std::move(exported.files), folder, route, c.output.quiet);
+  return exported.why;
 }
 
 /// Says what a small --missed costs; empty where lines lie about as far apart as was asked for.

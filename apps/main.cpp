@@ -3,9 +3,11 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "apps/commands.h"
 #include "apps/options.h"
+#include "apps/outlets/streams.h"
 #include "mesh/base/allocator.h"
 #include "mesh/base/error.h"
 
@@ -33,12 +35,26 @@ std::vector<swathplan::Command> all_commands() {
   return commands;
 }
 
+/// Runs the command that was typed. Results that cannot be printed count as an error.
+int run(int argc, char** argv) {
+  int code = 0;
+  try {
+    code = swathplan::run_commands(kWhat, swathplan::version_text, all_commands(), argc, argv);
+  } catch (const std::system_error& e) {
+    if (std::ferror(stdout) != 0) swathplan::throw_unprinted(e.code().message());
+    throw;
+  }
+  swathplan::finish_stdout();
+  return code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   swathplan::keep_freed_memory();
+  swathplan::prepare_streams();
   try {
-    return swathplan::run_commands(kWhat, swathplan::version_text, all_commands(), argc, argv);
+    return run(argc, argv);
   } catch (const swathplan::UsageError& e) {
     return complain(swathplan::in_flags(e), kUsageError);
   } catch (const swathplan::PredictedToFail& e) {

@@ -45,12 +45,6 @@ void remove_old(const std::filesystem::path& folder, const std::vector<std::stri
 void write_survey(const std::filesystem::path& folder, const PlannedSurvey& survey,
                   const Site& site, const Provenance& provenance) {
   const Frame& frame = site.seafloor().frame;
-  // A run on other data may have left the other one of the two: one is for data with a CRS.
-  remove_old(folder,
-             frame.crs_wkt.empty()
-                 ? std::vector<std::string>{"route.geojson", "holidays.geojson"}
-                 : std::vector<std::string>{"route.local.geojson", "holidays.local.geojson"});
-  remove_exports(folder, "route", all_export_formats());
   write_route_csv(folder / "route.csv", survey.plan.route, frame);
   write_route_geojson(folder, survey.plan.route, frame);
   write_score_json(folder / "score.json", survey.record.planner, survey.scored.score, provenance,
@@ -62,9 +56,17 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
   if (survey.judged) {
     write_tvu_tif(folder / "tvu.tif", survey.judged->raster, frame);
     write_thu_tif(folder / "thu.tif", survey.judged->raster, frame);
-  } else {
-    remove_old(folder, {"tvu.tif", "thu.tif"});
   }
+}
+
+void remove_old_survey(const std::filesystem::path& folder, const Site& site) {
+  // Left by a run on other data: with a CRS where this has none, or without.
+  remove_old(folder,
+             site.seafloor().frame.crs_wkt.empty()
+                 ? std::vector<std::string>{"route.geojson", "holidays.geojson"}
+                 : std::vector<std::string>{"route.local.geojson", "holidays.local.geojson"});
+  remove_old(folder, {"tvu.tif", "thu.tif"});
+  remove_exports(folder, "route", all_export_formats());
 }
 
 void write_survey_report(const std::filesystem::path& file, const std::string& title,

@@ -14,10 +14,12 @@ void check_folder(const std::filesystem::path& folder);
 /// Removes the named files of an earlier run, if they are there.
 void remove_old(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
-/// Writes route, score, plan, coverage and holidays of one survey into `folder`. Exports of an
-/// older route are removed.
+/// Writes route, score, plan, coverage and holidays of one survey into `folder`.
 void write_survey(const std::filesystem::path& folder, const PlannedSurvey& survey,
                   const Site& site, const Provenance& provenance);
+/// Removes what an older survey left in `folder` and a new one need not replace: its exports, and
+/// files in or without a CRS.
+void remove_old_survey(const std::filesystem::path& folder, const Site& site);
 
 /// Writes the report over one or several surveys.
 void write_survey_report(const std::filesystem::path& file, const std::string& title,

@@ -4,6 +4,7 @@
 
 #include "apps/commands.h"
 #include "apps/exports.h"
+#include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
 #include "io/results/score_json.h"
 
@@ -53,12 +54,18 @@ void run(const PlanCommand& command) {
     surveys.push_back(plan_and_score(chosen, *site, survey, scorer));
   }
   const std::filesystem::path& folder = command.output.folder;
-  write_survey(folder, surveys[0], *site, provenance);
-  write_survey_toml(folder, provenance);
-  write_exports(folder, surveys[0].plan.route, *site, exports, command.output.quiet);
+  const Route& route = surveys[0].plan.route;
   const std::string title =
       fmt::format("{}: {}", command.site.file.filename().string(), chosen.label);
-  write_survey_report(folder / "report.html", title, surveys, *site, provenance);
+  WrittenExports exported;
+  write_all_or_none(folder, [&](const std::filesystem::path& staging) {
+    write_survey(staging, surveys[0], *site, provenance);
+    write_survey_toml(staging, provenance);
+    exported = write_exports(staging, route, *site, exports);
+    write_survey_report(staging / "report.html", title, surveys, *site, provenance);
+    remove_old_survey(folder, *site);
+  });
+  print_exports(std::move(exported.files), folder, route, command.output.quiet);
   for (const std::string& note : surveys[0].plan.notes) {
     if (!command.output.quiet) fmt::print(stderr, "note: {}\n", note);
   }

@@ -3,7 +3,9 @@
 #include <memory>
 
 #include "apps/commands.h"
+#include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
+#include "io/files/lonlat.h"
 #include "io/results/score_json.h"
 #include "io/route/read_route.h"
 #include "mesh/base/error.h"
@@ -50,18 +52,108 @@ FanAngles default_fan(const ScoreCommand& command, const Survey& survey, const S
   return fan_for_depth(survey.planning, depth_range(site.seafloor()).mean);
 }
 
-/// Refuses a route that comes nowhere near the data: it has another CRS or belongs to another
-/// place.
-void check_meets_data(const Route& route, const Site& site, const std::filesystem::path& file) {
+bool is_near_data(const std::vector<Vec2>& points, const Site& site) {
   Box2 box = extent(site.seafloor());
   const double reach = std::max(100.0, box.size().norm());
   box.min.array() -= reach;
   box.max.array() += reach;
   Box2 of_route;
-  for (const Waypoint& w : route.waypoints) of_route.extend(w.position);
-  const bool apart = (of_route.min.array() > box.max.array()).any() ||
-                     (of_route.max.array() < box.min.array()).any();
-  if (!apart) return;
+  for (const Vec2& p : points) of_route.extend(p);
+  return !(of_route.min.array() > box.max.array()).any() &&
+         !(of_route.max.array() < box.min.array()).any();
+}
+
+/// True if the route would meet the data with longitude and latitude exchanged.
+bool is_near_if_swapped(const std::vector<Vec2>& points, const Site& site) {
+  const LonLat degrees(site.seafloor().frame);
+  if (!degrees.known()) return false;
+  try {
+    std::vector<Vec2> lonlat = degrees.from_local(points);
+    for (Vec2& p : lonlat) {
+      p = {p.y(), p.x()};
+      if (std::abs(p.y()) > 90.0) return false;
+    }
+    return is_near_data(degrees.to_local(lonlat), site);
+  } catch (const InvalidInput&) {
+    return false;  // some place has no counterpart
+  }
+}
+
+/// The part of the segment from `a` to `b` that lies in the box, as shares of its length.
+std::optional<std::pair<double, double>> part_within(const Box2& box, const Vec2& a,
+                                                     const Vec2& b) {
+  double from = 0.0;
+  double to = 1.0;
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    const double step = b[axis] - a[axis];
+    if (step == 0.0) {
+      if (a[axis] < box.min[axis] || a[axis] > box.max[axis]) return std::nullopt;
+      continue;
+    }
+    const double first = (box.min[axis] - a[axis]) / step;
+    const double second = (box.max[axis] - a[axis]) / step;
+    from = std::max(from, std::min(first, second));
+    to = std::min(to, std::max(first, second));
+  }
+  if (from >= to) return std::nullopt;
+  return std::pair(from, to);
+}
+
+/// Shorter stretches without data are sailed with the sonar on, as the route says.
+constexpr double kFarM = 10e3;
+/// Once around the earth: a longer route has a slip in its coordinates.
+constexpr double kLongestRouteM = 40e6;
+
+/// Switches the sonar off where it cannot reach any data, if that is so for kFarM or more: a ping
+/// there costs as much as any other. Returns what is to be said, or nothing.
+std::optional<std::string> silence_far_off(Route& route, const Box2& data, double range_m) {
+  Box2 reach = data;
+  reach.min.array() -= range_m;
+  reach.max.array() += range_m;
+  Route silenced;
+  double far_m = 0.0;
+  for (std::size_t i = 0; i + 1 < route.waypoints.size(); ++i) {
+    const Waypoint& w = route.waypoints[i];
+    const Vec2 step = route.waypoints[i + 1].position - w.position;
+    Waypoint off = w;
+    off.fan.reset();
+    const auto part = part_within(reach, w.position, w.position + step);
+    if (!w.fan || !part) {
+      silenced.waypoints.push_back(off);
+      if (w.fan) far_m += step.norm();
+      continue;
+    }
+    if (part->first > 0.0) silenced.waypoints.push_back(off);
+    silenced.waypoints.push_back(w);
+    silenced.waypoints.back().position = w.position + part->first * step;
+    off.position = w.position + part->second * step;
+    if (part->second < 1.0) silenced.waypoints.push_back(off);
+    far_m += (1.0 - part->second + part->first) * step.norm();
+  }
+  if (far_m < kFarM) return std::nullopt;
+  silenced.waypoints.push_back(route.waypoints.back());
+  route = std::move(silenced);
+  return fmt::format(
+      "{:.0f} km of the route lie beyond the sonar's range of any data: taken with the sonar off",
+      far_m / 1000.0);
+}
+
+/// A route that nowhere comes near the data is in another CRS or of another place.
+void check_meets_data(const Route& route, const Site& site, const std::filesystem::path& file) {
+  if (const double length = length_m(route); length > kLongestRouteM) {
+    throw InvalidInput(
+        fmt::format("'{}': the route is {:.4g} km long, more than once around the earth; check its "
+                    "coordinates",
+                    file.string(), length / 1000.0));
+  }
+  const std::vector<Vec2> points = positions(route.waypoints);
+  if (is_near_data(points, site)) return;
+  if (is_near_if_swapped(points, site)) {
+    throw InvalidInput(fmt::format(
+        "'{}': the route lies outside the seafloor's data, but with latitude and longitude "
+        "exchanged it would meet them: the file has them in the wrong order; exchange them there",
+        file.string()));
+  }
   throw InvalidInput(fmt::format(
       "'{}': the route lies outside the seafloor's data; check that both are in the same CRS "
       "(lon_deg,lat_deg or the coordinates of the seafloor's file)",
@@ -104,6 +196,9 @@ void run(const ScoreCommand& command) {
   check_meets_data(route.route, *site, command.route);
   Plan plan;
   plan.route = route.route;
+  const auto far_off =
+      silence_far_off(plan.route, extent(site->seafloor()), survey.sonar.max_range_m);
+  if (far_off) plan.notes.push_back(*far_off);
   if (route.fan_note) plan.notes.push_back(*route.fan_note);
   plan.notes.insert(plan.notes.end(), route.notes.begin(), route.notes.end());
   const Scorer scorer(*site, survey, command.output.quiet);
@@ -123,13 +218,17 @@ void run(const ScoreCommand& command) {
     surveys.push_back(recorded("infill", name + " + infill", std::move(*filled), std::move(again),
                                *site, survey));
     surveys[1].judged = scorer.judge("judge infill", surveys[1].plan.route);
-    write_survey(folder / "infill", surveys[1], *site, provenance);
   }
-  write_survey(folder, surveys[0], *site, provenance);
-  write_survey_toml(folder, provenance);
-  write_survey_report(folder / "report.html",
-                      fmt::format("{}: {}", command.site.file.filename().string(), name), surveys,
-                      *site, provenance);
+  write_all_or_none(folder, [&](const std::filesystem::path& staging) {
+    if (filled) write_survey(staging / "infill", surveys[1], *site, provenance);
+    write_survey(staging, surveys[0], *site, provenance);
+    write_survey_toml(staging, provenance);
+    write_survey_report(staging / "report.html",
+                        fmt::format("{}: {}", command.site.file.filename().string(), name), surveys,
+                        *site, provenance);
+    if (filled) remove_old_survey(folder / "infill", *site);
+    remove_old_survey(folder, *site);
+  });
   if (!command.output.quiet) print_notes(surveys);
   if (command.output.json) {
     // With infill, --json prints the figures of the new route.
@@ -148,9 +247,11 @@ Command score_command() {
   auto command = std::make_shared<ScoreCommand>();
   return {
       "score",
-      "Score any route.csv or GeoJSON line, ours or not",
+      "Score any route: of this program, of an autopilot, chart system or survey package",
       joined({site_options(command->site),
-              {argument("ROUTE", command->route, "route.csv, another CSV of points, or GeoJSON")},
+              {argument(
+                  "ROUTE", command->route,
+                  "route.csv or another CSV, GeoJSON, .plan, .waypoints, GPX, KML, RTZ, LNW, DXF")},
               scoring_options(command->survey),
               criteria_options(command->survey.criteria),
               own_options(*command),

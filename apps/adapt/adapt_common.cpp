@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
 #include "apps/planning.h"
 #include "io/files/atomic_file.h"
@@ -178,15 +179,12 @@ MissionOutput mission_output(const SurveyBox& box, std::span<const SurveyTrack> 
 
 void write_mission(const AdaptOutput& output, const MissionOutput& mission, const Site& site) {
   const Survey survey = mission_survey(output, site);
-  std::filesystem::create_directories(output.folder);
   nlohmann::ordered_json json;
   json["planner"] = mission.planner;
   for (const auto& [name, value] : mission.figures) json[name] = value;
   json["notes"] = mission.notes;
   json["seed"] = mission.provenance.seed;
   json["version"] = mission.provenance.version;
-  write_text_atomically(output.folder / "mission.json", json.dump(2) + "\n");
-  write_tracks_png(output.folder / "tracks.png", mission.pictures);
   const Scorer scorer(site, survey, output.quiet);
   Plan plan;
   plan.route = mission.route;
@@ -195,10 +193,14 @@ void write_mission(const AdaptOutput& output, const MissionOutput& mission, cons
   std::vector<PlannedSurvey> surveys;
   surveys.push_back(
       recorded(mission.planner, mission.label, std::move(plan), std::move(scored), site, survey));
-  write_survey(output.folder, surveys[0], site, mission.provenance);
-  write_survey_toml(output.folder, mission.provenance);
-  write_survey_report(output.folder / "report.html", mission.label, surveys, site,
-                      mission.provenance);
+  write_all_or_none(output.folder, [&](const std::filesystem::path& staging) {
+    write_text_atomically(staging / "mission.json", json.dump(2) + "\n");
+    write_tracks_png(staging / "tracks.png", mission.pictures);
+    write_survey(staging, surveys[0], site, mission.provenance);
+    write_survey_toml(staging, mission.provenance);
+    write_survey_report(staging / "report.html", mission.label, surveys, site, mission.provenance);
+    remove_old_survey(output.folder, site);
+  });
   if (output.json) {
     fmt::print("{}\n", json.dump(2));
   } else if (!output.quiet) {

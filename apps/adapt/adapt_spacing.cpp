@@ -12,6 +12,7 @@
 #include "apps/adapt/adapt_common.h"
 #include "apps/adapt/adapt_live.h"
 #include "apps/adapt/adapt_planners.h"
+#include "apps/adapt/live_curves.h"
 #include "io/files/atomic_file.h"
 #include "io/results/adaptive_study.h"
 #include "mesh/base/error.h"
@@ -280,25 +281,6 @@ void study(const SpacingCommand& c) {
     fmt::print("{:4g}  {:5g} | {:15.2f}  {:11.2f}  {:.3f} | {:16.2f}  {:11.2f}  {:.3f}\n", r[0],
                r[1], r[2], r[3], r[5], r[6], r[7], r[9]);
   }
-}
-
-DetectionCurve observed_curve(const nlohmann::json& sides) {
-  if (sides.contains("curve")) {
-    return {sides["curve"].at("range_m").get<std::vector<double>>(),
-            sides["curve"].at("p").get<std::vector<double>>()};
-  }
-  const auto& counts = sides.at("counts");
-  return estimated_curve({counts.value("first_m", 0.0), counts.at("step_m").get<double>(),
-                          counts.at("trials").get<std::vector<std::int64_t>>(),
-                          counts.at("detections").get<std::vector<std::int64_t>>()});
-}
-
-SideCurves observed_curves(const nlohmann::json& message) {
-  if (message.contains("port") || message.contains("starboard")) {
-    return {observed_curve(message.at("port")), observed_curve(message.at("starboard"))};
-  }
-  const DetectionCurve both = observed_curve(message);
-  return {both, both};
 }
 
 void live(const SpacingCommand& c) {

@@ -187,10 +187,11 @@ TEST(BadRoutes, WithoutEndOrBottom) {
 TEST(BadRoutes, ALegFarBeyondTheDataIsScoredAndSaid) {
   const Folder folder;
   folder.write("far.csv", "x,y,port_deg,stbd_deg\n0,0,45,45\n20,0,45,45\n1e9,0,45,45\n");
-  const Run run = folder.run("score " + dataset("saddle.asc") + " far.csv --resolution 1 -o far");
-  EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.err.find("farther from all data than the sonar's range"), std::string::npos)
-      << run.err;
+  const auto result =
+      folder.run("score " + dataset("saddle.asc") + " far.csv --resolution 1 -o far");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.err.find("farther from all data than the sonar's range"), std::string::npos)
+      << result.err;
 }
 
 TEST(BadRoutes, NameFileAndRow) {

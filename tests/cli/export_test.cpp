@@ -15,7 +15,7 @@ using test::Folder;
 using test::text_of;
 using testing::HasSubstr;
 
-const std::string kAll = "waypoints,gpx,rtz,kml,lnw,dxf";
+const std::string kAll = "waypoints,plan,gpx,rtz,kml,lnw,dxf";
 
 std::string plan_shaft(const std::string& more) {
   return "plan " + dataset("shaft.obj") + " --planner back-and-forth --hit-only " + more;
@@ -121,7 +121,7 @@ TEST(Export, BadOptionsAreNamed) {
   const Folder folder;
   folder.write("route.csv", "x,y\n0,0\n10,0\n");
   for (const auto& [more, code, said] :
-       {std::tuple("--format shp", 2, "waypoints, gpx"), std::tuple("", 2, "--format"),
+       {std::tuple("--format shp", 2, "waypoints, plan, gpx"), std::tuple("", 2, "--format"),
         std::tuple("--format lnw --tolerance 0", 2, "tolerance"),
         std::tuple("--format lnw --mission-items 2", 2, "--mission-items"),
         std::tuple("--format gpx --crs EPSG:4326", 2, "--crs"),

@@ -56,10 +56,15 @@ class Folder {
   /// scores are those of the papers' profile, whose figures have closed forms and known values,
   /// unless the arguments name a profile or a configuration file.
   [[nodiscard]] Run run(const std::string& arguments) const {
+    return run_in(path().string(), arguments);
+  }
+
+  /// The same with another working directory.
+  [[nodiscard]] Run run_in(const std::string& directory, const std::string& arguments) const {
     const std::string out = (path() / ".out").string();
     const std::string err = (path() / ".err").string();
     const std::string command =
-        "cd '" + path().string() + "' && timeout 60 '" SWATHPLAN_PROGRAM "' " +
+        "cd '" + directory + "' && timeout 60 '" SWATHPLAN_PROGRAM "' " +
         with_profile(arguments) + " >'" + out + "' 2>'" + err + "' </dev/null";
     const int status = std::system(command.c_str());
     Run result;

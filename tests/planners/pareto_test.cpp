@@ -38,6 +38,7 @@ TEST(ParetoPick, PrefersWhatCanBeSteered) {
   EXPECT_NE(pick(outcomes, {}).why.find("infeasible"), std::string::npos);
   PlanGoal within;
   within.length_m = 1.0;
+  outcomes[0].length_m = 248.0, outcomes[1].length_m = 250.0;
   const Pick shortest = pick(outcomes, within);
   EXPECT_EQ(shortest.index, 0U);
   EXPECT_NE(shortest.why.find("NOT within 1 m of path"), std::string::npos) << shortest.why;

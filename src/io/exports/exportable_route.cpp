@@ -77,8 +77,10 @@ class FrameReader {
   std::vector<std::string>& notes_;
 };
 
-bool is_geojson_in_degrees(std::string_view text) {
-  return trim(text).starts_with('{') && text.find("\"local_frame\"") == std::string_view::npos;
+/// True if the file says nothing but longitude and latitude, or a CRS of its own.
+bool says_its_place(RouteFormat format, std::string_view text) {
+  return is_always_lonlat(format) ||
+         (format == RouteFormat::geojson && text.find("\"local_frame\"") == std::string_view::npos);
 }
 
 }  // namespace
@@ -92,7 +94,8 @@ ExportableRoute read_exportable_route(const std::filesystem::path& path,
   const std::string text = read_text(path);
   ExportableRoute result;
   const FrameReader reader(path, result.notes);
-  if (!crs_wkt.empty() || is_geojson_in_degrees(text)) {
+  const RouteFormat format = route_format(text);
+  if (!crs_wkt.empty() || says_its_place(format, text)) {
     Frame frame = frame_of(crs_wkt);
     if (crs_wkt.empty()) {
       const PlacedRoute degrees = reader.read(frame_of(wgs84_crs()));
@@ -104,7 +107,7 @@ ExportableRoute read_exportable_route(const std::filesystem::path& path,
           fmt::format("eastings and northings are those of {}: give another "
                       "with <CRS> EPSG:n",
                       crs_name(frame.crs_wkt)));
-    } else if (!trim(text).starts_with('{')) {
+    } else if (format == RouteFormat::csv) {
       check_same_place(result.planar, lonlat_columns(text), path.string());
     }
     result.geographic = result.planar;
@@ -113,7 +116,7 @@ ExportableRoute read_exportable_route(const std::filesystem::path& path,
   result.planar = reader.read({});
   result.geographic = result.planar;
   const std::vector<Vec2> lonlat =
-      trim(text).starts_with('{') ? std::vector<Vec2>() : lonlat_columns(text);
+      format == RouteFormat::csv ? lonlat_columns(text) : std::vector<Vec2>();
   if (lonlat.empty()) return result;
   result.geographic.frame = utm_frame(lonlat.front());
   const std::vector<Vec2> local = LonLat(result.geographic.frame).to_local(lonlat);

@@ -34,16 +34,14 @@ std::string waypoint(std::size_t index, int current, int frame, const Vec2& lonl
 Mission mission(const GeographicRoute& route, const Part& part) {
   const auto [first, last] = part;
   Mission result{"QGC WPL 110\n" + waypoint(0, 1, kGlobal, route.lonlat[first]), 1};
-  for (std::size_t i = first; i <= last; ++i) {
-    // A speed that is set before a waypoint holds on the way to it.
-    const std::size_t leg = i == first ? first : i - 1;
-    if (i != first + 1 && speed_changes(route.route, leg, first)) {
-      result.text +=
-          fmt::format("{}\t0\t{}\t{}\t{}\t{}\t{}\t0\t0\t0\t0\t1\n", result.items++,
-                      kGlobalRelativeAltitude, kDoChangeSpeed, kGroundSpeed,
-                      decimal(route.route.waypoints[leg].speed_mps, 3), kThrottleUnchanged);
+  for (const MissionItem& item : mission_items(route, first, last)) {
+    if (item.speed_mps) {
+      result.text += fmt::format("{}\t0\t{}\t{}\t{}\t{}\t{}\t0\t0\t0\t0\t1\n", result.items++,
+                                 kGlobalRelativeAltitude, kDoChangeSpeed, kGroundSpeed,
+                                 decimal(*item.speed_mps, 3), kThrottleUnchanged);
+    } else {
+      result.text += waypoint(result.items++, 0, kGlobalRelativeAltitude, item.lonlat);
     }
-    result.text += waypoint(result.items++, 0, kGlobalRelativeAltitude, route.lonlat[i]);
   }
   return result;
 }
@@ -81,6 +79,20 @@ std::vector<Part> parts_of(const Route& route, std::size_t most_items) {
 }
 
 }  // namespace
+
+std::vector<MissionItem> mission_items(const GeographicRoute& route, std::size_t first,
+                                       std::size_t last) {
+  std::vector<MissionItem> items;
+  for (std::size_t i = first; i <= last; ++i) {
+    // A speed that is set before a waypoint holds on the way to it.
+    const std::size_t leg = i == first ? first : i - 1;
+    if (i != first + 1 && speed_changes(route.route, leg, first)) {
+      items.push_back({.speed_mps = route.route.waypoints[leg].speed_mps});
+    }
+    items.push_back({.speed_mps = std::nullopt, .lonlat = route.lonlat[i]});
+  }
+  return items;
+}
 
 std::vector<Mission> mission_waypoints(const GeographicRoute& route, std::size_t most_items) {
   std::vector<Mission> missions;

@@ -1,12 +1,24 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/exports/geographic_route.h"
 
 namespace swathplan {
+
+/// An item of a mission: a speed to set, or a place to sail to.
+struct MissionItem {
+  std::optional<double> speed_mps;
+  Vec2 lonlat = Vec2::Zero();  ///< of a place
+};
+
+/// The items that lead from a waypoint of the route to a later one. A speed stands before the
+/// waypoint to which its leg leads.
+[[nodiscard]] std::vector<MissionItem> mission_items(const GeographicRoute& route,
+                                                     std::size_t first, std::size_t last);
 
 /// One file of a MAVLink mission.
 struct Mission {

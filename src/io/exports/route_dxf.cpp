@@ -23,7 +23,7 @@ bool add_leg(OGRLayer& layer, const Route& route, const Leg& leg, const Frame& f
   return layer.CreateFeature(feature.get()) == OGRERR_NONE;
 }
 
-bool write(const std::filesystem::path& path, const Route& route, const Frame& frame) {
+bool write(const std::string& path, const Route& route, const Frame& frame) {
   register_gdal();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("DXF");
   if (driver == nullptr) return false;
@@ -39,9 +39,9 @@ bool write(const std::filesystem::path& path, const Route& route, const Frame& f
 }  // namespace
 
 void write_route_dxf(const std::filesystem::path& path, const Route& route, const Frame& frame) {
-  write_atomically(path, [&](const std::filesystem::path& part) {
+  write_through_memory(path, [&](const std::string& drawing) {
     const QuietGdal quiet;
-    if (!write(part, route, frame)) {
+    if (!write(drawing, route, frame)) {
       throw InvalidInput(fmt::format("cannot write '{}'{}", path.string(), QuietGdal::why()));
     }
   });

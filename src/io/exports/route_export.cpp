@@ -9,6 +9,7 @@
 
 #include "coverage/route/thin_route.h"
 #include "io/exports/geographic_route.h"
+#include "io/exports/mission_plan.h"
 #include "io/exports/mission_waypoints.h"
 #include "io/exports/route_dxf.h"
 #include "io/exports/route_gpx.h"
@@ -24,8 +25,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<ExportFormat, std::string_view>, 6> kNames{{
+constexpr std::array<std::pair<ExportFormat, std::string_view>, 7> kNames{{
     {ExportFormat::waypoints, "waypoints"},
+    {ExportFormat::plan, "plan"},
     {ExportFormat::gpx, "gpx"},
     {ExportFormat::rtz, "rtz"},
     {ExportFormat::kml, "kml"},
@@ -86,6 +88,7 @@ void write_missions(const fs::path& folder, const std::string& stem, const Geogr
 
 std::string text_of(ExportFormat format, const GeographicRoute& route, const std::string& stem,
                     const ExportOptions& options) {
+  if (format == ExportFormat::plan) return mission_plan(route);
   if (format == ExportFormat::gpx) return route_gpx(route, stem);
   if (format == ExportFormat::rtz) return route_rtz(route, stem, options.tolerance_m);
   if (format == ExportFormat::kml) return route_kml(route, stem);
@@ -171,6 +174,7 @@ ExportFormat export_format(std::string_view text) {
 bool is_geographic(ExportFormat format) {
   switch (format) {
     case ExportFormat::waypoints:
+    case ExportFormat::plan:
     case ExportFormat::gpx:
     case ExportFormat::rtz:
     case ExportFormat::kml:

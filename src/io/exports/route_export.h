@@ -12,7 +12,7 @@
 namespace swathplan {
 
 /// Files that autopilots, chart systems and survey packages read; see docs/exports.md.
-enum class ExportFormat { waypoints, gpx, rtz, kml, lnw, dxf };
+enum class ExportFormat { waypoints, plan, gpx, rtz, kml, lnw, dxf };
 /// The name on the command line, which is the file's extension too.
 /// @throws std::logic_error for a value that is none of the formats, as every function here does.
 [[nodiscard]] std::string_view name(ExportFormat format);

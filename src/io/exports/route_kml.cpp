@@ -27,9 +27,10 @@ constexpr std::array<Look, 7> kLooks{{{LegKind::line, "ffb45a00"},
 std::string placemark(const GeographicRoute& route, const Leg& leg, std::size_t number) {
   const Waypoint& w = route.route.waypoints[leg.first];
   std::string text = fmt::format(
-      "<Placemark><name>{}</name><styleUrl>#{}</styleUrl>",
+      "<Placemark><name>{}</name><styleUrl>#{}</styleUrl><ExtendedData><Data name=\"leg\"><value>{}"
+      "</value></Data></ExtendedData>",
       w.line ? fmt::format("{} {}", name(w.kind), *w.line) : fmt::format("leg {}", number),
-      name(w.kind));
+      name(w.kind), number);
   const auto begin = route.lonlat.begin();
   const auto parts = cut_at_180({begin + static_cast<std::ptrdiff_t>(leg.first),
                                  begin + static_cast<std::ptrdiff_t>(leg.last) + 1});

@@ -21,7 +21,13 @@ namespace {
 
 constexpr char kDone = 'd', kFailed = 'f', kNoMemory = 'm';
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SWATHPLAN_SHADOW_MEMORY
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || \
+    defined(SWATHPLAN_SHADOW_MEMORY)
 constexpr bool kLimitsMemory = false;
 #else
 constexpr bool kLimitsMemory = true;

@@ -112,8 +112,13 @@ std::optional<double> to_number(std::string_view field) {
   if (field.size() > 1 && field.front() == '+') field.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (field.empty() || error != std::errc() || end != field.data() + field.size()) return {};
-  return value;
+  if (field.empty() || error != std::errc()) return {};
+  if (end == field.data() + field.size()) return value;
+  // Fortran writes 1.5D+03. What stands before the letter has been read, so there is no second one.
+  if (*end != 'D' && *end != 'd') return {};
+  std::string with_e(field);
+  with_e[static_cast<std::size_t>(end - field.data())] = 'e';
+  return to_number(with_e);
 }
 
 std::optional<double> to_finite_number(std::string_view text) {

@@ -35,7 +35,8 @@ inline constexpr std::size_t kMostNesting = 64;
 /// ends. Views into `line`.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view line, char separator);
 
-/// The number that the whole field spells, 'nan' and 'inf' included; empty if it spells none.
+/// The number that the whole field spells, 'nan' and 'inf' included; empty if it spells none. An
+/// exponent may have Fortran's D for E.
 /// Blanks are not allowed.
 [[nodiscard]] std::optional<double> to_number(std::string_view field);
 

@@ -101,7 +101,32 @@ void check_shape(const Raster& raster, const fs::path& path) {
   }
 }
 
+/// Many programs fill with 0. A sea that is deep everywhere but has cells of exactly 0 is suspect.
+void warn_of_zeros(const Raster& raster, std::vector<std::string>& warnings) {
+  constexpr std::size_t kShare = 50;  // one in so many cells
+  constexpr double kGap = 0.25;       // of the range of all others
+  std::size_t zeros = 0;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double value : raster.raw) {
+    if (raster.is_nodata(value) || !std::isfinite(value)) continue;
+    if (value == 0.0) {
+      ++zeros;
+    } else {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  const double gap = std::max(low, -high);
+  if (zeros * kShare < raster.raw.size() || low > high || gap <= kGap * (high - low)) return;
+  warnings.push_back(fmt::format(
+      "{} of {} cells hold exactly 0, apart from all other values ({:.6g} to {:.6g}): if that "
+      "means no data, set <nodata value> 0",
+      zeros, raster.raw.size(), low, high));
+}
+
 void drop_undeclared_nodata(Raster& raster, std::vector<std::string>& warnings) {
+  warn_of_zeros(raster, warnings);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   std::map<double, std::size_t> telltales;

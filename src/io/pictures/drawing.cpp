@@ -29,13 +29,11 @@ int text_width(const std::string& words, double size) {
 
 void write_png(const std::filesystem::path& path, const cv::Mat& picture,
                const std::vector<int>& options) {
-  write_atomically(path, [&](const std::filesystem::path& part) {
-    if (!cv::imwrite(part.string(), picture, options)) {
-      throw InvalidInput(
-          fmt::format("cannot write '{}': check that the folder is writable and the disk has room",
-                      path.string()));
-    }
-  });
+  std::vector<unsigned char> bytes;
+  if (!cv::imencode(".png", picture, bytes, options)) {
+    throw InvalidInput(fmt::format("cannot write '{}': no PNG could be made", path.string()));
+  }
+  write_text_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace swathplan::internal

@@ -24,7 +24,7 @@ using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
                   path.string(), QuietGdal::why()));
 }
 
-Dataset create(const std::filesystem::path& part, const RasterFile& raster) {
+Dataset create(const std::string& part, const RasterFile& raster) {
   register_gdal();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   CPLStringList options;
@@ -54,7 +54,7 @@ void georeference(GDALDataset& dataset, const RasterFile& raster, const Frame& f
 void write_geotiff(const std::filesystem::path& path, const RasterFile& raster, const Frame& frame,
                    const std::function<void*(std::uint32_t row)>& line) {
   const QuietGdal quiet;
-  write_atomically(path, [&](const std::filesystem::path& part) {
+  write_through_memory(path, [&](const std::string& part) {
     const Dataset dataset = create(part, raster);
     if (!dataset) fail(path);
     georeference(*dataset, raster, frame);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "coverage/route/route.h"
@@ -32,11 +33,22 @@ struct ImportedRoute {
 ///   route.csv may be missing.
 /// - GeoJSON: a LineString, MultiLineString, Feature or FeatureCollection. Its coordinates are
 ///   longitude and latitude, or those of its `crs` member. If it has a `local_frame` member, they
-///   are those of the seafloor's file. Lines that do not meet are joined by straight transits with
-///   the sonar off. A note then says so.
+///   are those of the seafloor's file. Without a line its points are the waypoints.
+/// - Missions ('QGC WPL 110', .plan of QGroundControl), GPX, KML and RTZ in longitude and latitude.
+/// - Planned lines of HYPACK (LNW) and drawings (DXF) in the coordinates of the seafloor's file.
+/// Lines that do not meet are joined by straight transits with the sonar off. A note then says so.
 /// @throws InvalidInput for anything else; the message names the file, the row or line, what is
 ///   wrong and what to do.
 [[nodiscard]] ImportedRoute read_route(const std::filesystem::path& path, const Frame& frame,
                                        const RouteDefaults& defaults);
+/// Reads such text; `file` is what messages call it.
+[[nodiscard]] ImportedRoute parse_route(std::string_view text, const std::string& file,
+                                        const Frame& frame, const RouteDefaults& defaults);
+
+/// What a text looks like. XML is GPX, KML or RTZ.
+enum class RouteFormat { csv, geojson, waypoints, plan, xml, lnw, dxf };
+[[nodiscard]] RouteFormat route_format(std::string_view text);
+/// True for formats that know nothing but longitude and latitude.
+[[nodiscard]] bool is_always_lonlat(RouteFormat format);
 
 }  // namespace swathplan

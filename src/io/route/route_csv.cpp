@@ -31,6 +31,15 @@ std::string row(std::size_t seq, const Waypoint& w, const Vec2& file, const Vec2
                      w.region ? std::to_string(*w.region) : "", w.feasible ? "" : kInfeasible);
 }
 
+/// Spreadsheets of many countries write '450002,6'. Where a comma can be in a field at all, another
+/// sign or quotation marks part the fields.
+std::optional<double> with_decimal_comma(std::string text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos || text.find('.') != std::string::npos) return std::nullopt;
+  text[comma] = '.';
+  return to_finite_number(text);
+}
+
 /// Reads rows of a table by the names of their columns.
 class Columns {
  public:
@@ -53,7 +62,9 @@ class Columns {
 
   /// @throws InvalidInput unless the field is a finite number.
   [[nodiscard]] double number(const CsvTable::Row& row, std::size_t column) const {
-    const auto value = to_finite_number(row.fields[column]);
+    const std::string& text = row.fields[column];
+    auto value = to_finite_number(text);
+    if (!value) value = with_decimal_comma(text);
     if (!value) fail(row, column, "is not a finite number");
     return *value;
   }

@@ -5,6 +5,7 @@
 
 #include "io/files/lonlat.h"
 #include "io/files/text.h"
+#include "io/route/foreign_route.h"
 #include "io/route/route_geojson.h"
 #include "mesh/base/error.h"
 
@@ -25,23 +26,33 @@ class LineReader {
  public:
   explicit LineReader(std::string file) : file_(std::move(file)) {}
 
-  void read(const Json& node, const Json& properties, const std::string& label) {
+  void read(const Json& node, const Json& properties, const std::string& label, int depth = 0) {
+    constexpr int kMostDepth = 50;
+    if (depth > kMostDepth) fail("GeoJSON", "its collections are nested too deeply");
     const std::string type = node.is_object() ? node.value("type", std::string()) : std::string();
     if (type == "FeatureCollection") {
       each(node, "features", [&](const Json& f, std::size_t i) {
-        read(f, Json::object(), fmt::format("feature {}", i));
+        read(f, Json::object(), fmt::format("feature {}", i), depth + 1);
       });
     } else if (type == "Feature") {
       const Json own = node.value("properties", Json());
       const Json geometry = node.value("geometry", Json());
-      if (!geometry.is_null()) read(geometry, own.is_object() ? own : Json::object(), label);
+      if (!geometry.is_null())
+        read(geometry, own.is_object() ? own : Json::object(), label, depth + 1);
     } else if (type == "GeometryCollection") {
-      each(node, "geometries", [&](const Json& g, std::size_t) { read(g, properties, label); });
+      each(node, "geometries",
+           [&](const Json& g, std::size_t) { read(g, properties, label, depth + 1); });
     } else if (type == "LineString") {
       add(node, "coordinates", properties, label);
     } else if (type == "MultiLineString") {
       each(node, "coordinates", [&](const Json& part, std::size_t i) {
         add_points(part, properties, fmt::format("{}, part {}", label, i));
+      });
+    } else if (type == "Point") {
+      add_place(node, label);
+    } else if (type == "MultiPoint") {
+      each(node, "coordinates", [&](const Json& place, std::size_t i) {
+        places_.points.push_back(point(place, fmt::format("{}, point {}", label, i), i));
       });
     } else if (type.empty()) {
       fail(label, "is not GeoJSON: it has no 'type'");
@@ -52,6 +63,17 @@ class LineReader {
 
   [[nodiscard]] std::vector<NamedLine>& lines() { return lines_; }
   [[nodiscard]] std::size_t others() const { return others_; }
+
+  /// Points count where no line does: they are waypoints in their order. True if they do.
+  bool join_places() {
+    if (!lines_.empty()) {
+      others_ += places_.points.size();
+      return false;
+    }
+    if (places_.points.size() < 2) return false;
+    lines_.push_back(std::move(places_));
+    return true;
+  }
 
   [[noreturn]] void fail(const std::string& label, const std::string& what) const {
     throw InvalidInput(fmt::format("'{}', {}: {}", file_, label, what));
@@ -73,23 +95,33 @@ class LineReader {
     add_points(*list, properties, label);
   }
 
+  void add_place(const Json& node, const std::string& label) {
+    const auto place = node.find("coordinates");
+    if (place == node.end()) fail(label, "has no coordinates");
+    places_.points.push_back(point(*place, label, 0));
+  }
+
+  [[nodiscard]] Vec2 point(const Json& p, const std::string& label, std::size_t i) const {
+    if (!p.is_array() || p.size() < 2 || !p[0].is_number() || !p[1].is_number()) {
+      fail(label, fmt::format("point {} is not a pair of numbers", i));
+    }
+    return {p[0].get<double>(), p[1].get<double>()};
+  }
+
   void add_points(const Json& list, const Json& properties, const std::string& label) {
     if (!list.is_array() || list.size() < 2) {
       fail(label, "a line needs at least two points");
     }
     NamedLine line{.label = label, .points = {}, .properties = properties};
     for (std::size_t i = 0; i < list.size(); ++i) {
-      const Json& p = list[i];
-      if (!p.is_array() || p.size() < 2 || !p[0].is_number() || !p[1].is_number()) {
-        fail(label, fmt::format("point {} is not a pair of numbers", i));
-      }
-      line.points.emplace_back(p[0].get<double>(), p[1].get<double>());
+      line.points.push_back(point(list[i], label, i));
     }
     lines_.push_back(std::move(line));
   }
 
   std::string file_;
   std::vector<NamedLine> lines_;
+  NamedLine places_{.label = "its points", .points = {}, .properties = Json::object()};
   std::size_t others_ = 0;
 };
 
@@ -214,7 +246,7 @@ class Properties {
       reader_.fail(line_.label,
                    fmt::format("kind {} is none of line, turn, transit, cross, infill, "
                                "run_in, run_out",
-                               value->dump()));
+                               value->is_string() ? value->dump() : value->type_name()));
     }
     return *known;
   }
@@ -268,36 +300,18 @@ Json parse(std::string_view text, const std::string& file) {
   }
 }
 
-/// Two ends closer than this are one point: coordinates in files are rounded to 0.1 mm or better.
-constexpr double kSamePointM = 2e-4;
-
-/// Joins the lines to one route; straight transits bridge the gaps. Returns the gaps' number.
+/// The waypoints of the lines, joined to one route. Returns the number of gaps between them.
 std::size_t join(const std::vector<NamedLine>& lines, const LineReader& reader,
                  const RouteDefaults& defaults, Route& route) {
-  std::size_t gaps = 0;
+  std::vector<std::vector<Waypoint>> waypoints;
   for (const NamedLine& line : lines) {
     const Properties properties(line, reader, defaults);
-    auto& waypoints = route.waypoints;
-    if (!waypoints.empty()) {
-      if ((waypoints.back().position - line.points.front()).norm() <= kSamePointM) {
-        waypoints.pop_back();
-      } else {
-        ++gaps;
-        waypoints.back() = {.position = waypoints.back().position,
-                            .kind = LegKind::transit,
-                            .log = false,
-                            .line = std::nullopt,
-                            .fan = std::nullopt,
-                            .speed_mps = waypoints.back().speed_mps,
-                            .region = std::nullopt};
-      }
-    }
+    waypoints.emplace_back();
     for (std::size_t i = 0; i < line.points.size(); ++i) {
-      waypoints.push_back(properties.waypoint(i));
+      waypoints.back().push_back(properties.waypoint(i));
     }
   }
-  route.waypoints.back().kind = LegKind::end;
-  return gaps;
+  return join_lines(waypoints, route);
 }
 
 void check_fans(const std::vector<NamedLine>& lines, const LineReader& reader,
@@ -322,17 +336,20 @@ ImportedRoute parse_route_geojson(std::string_view text, const std::string& name
   const Json document = parse(text, name);
   LineReader reader(name);
   reader.read(document, Json::object(), "the document");
+  const bool of_places = reader.join_places();
   if (reader.lines().empty()) {
-    throw InvalidInput(fmt::format("'{}' is not a route: it holds no LineString", name));
+    throw InvalidInput(
+        fmt::format("'{}' is not a route: it holds neither a LineString nor two points", name));
   }
   const PointPlacer placer(document, name, frame);
   for (NamedLine& line : reader.lines()) placer.place(line);
   ImportedRoute imported;
   check_fans(reader.lines(), reader, defaults, imported);
   if (const std::size_t gaps = join(reader.lines(), reader, defaults, imported.route); gaps > 0) {
-    imported.notes.push_back(
-        fmt::format("{} gap{} between lines {} joined by straight transits with the sonar off",
-                    gaps, gaps == 1 ? "" : "s", gaps == 1 ? "was" : "were"));
+    imported.notes.push_back(gaps_note(gaps));
+  }
+  if (of_places) {
+    imported.notes.emplace_back("the file holds no line: its points were joined in their order");
   }
   if (reader.others() > 0) {
     imported.notes.push_back(

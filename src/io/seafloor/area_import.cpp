@@ -15,7 +15,9 @@
 
 #include "io/files/crs.h"
 #include "io/files/gdal_at_home.h"
+#include "io/files/lonlat.h"
 #include "io/files/quiet_gdal.h"
+#include "io/files/text.h"
 #include "mesh/base/error.h"
 #include "mesh/plane/few_corners.h"
 
@@ -33,6 +35,12 @@ struct LayerShapes {
   std::string crs_wkt;
 };
 
+bool has_index(fs::path path) {
+  std::error_code error;
+  return fs::exists(path.replace_extension(".shx"), error) ||
+         fs::exists(path.replace_extension(".SHX"), error);
+}
+
 GDALDatasetUniquePtr open_vectors(const fs::path& path) {
   std::error_code error;
   if (!fs::exists(path, error)) {
@@ -46,6 +54,12 @@ GDALDatasetUniquePtr open_vectors(const fs::path& path) {
   GDALDatasetUniquePtr data(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
   if (!data && folder) {
     throw InvalidInput(fmt::format("'{}' is a folder; name the file in it", path.string()));
+  }
+  if (!data && lower(path.extension().string()) == ".shp" && !has_index(path)) {
+    throw InvalidInput(fmt::format(
+        "'{}' is one file of a shapefile; its .shx is not beside it: copy all files of that name "
+        "(.shp, .shx, .dbf, .prj)",
+        path.string()));
   }
   if (!data) {
     throw InvalidInput(
@@ -67,6 +81,21 @@ Ring ring_of(const OGRLinearRing& line) {
   return ring;
 }
 
+/// The polygon with its rings closed, as viewers take them.
+std::unique_ptr<OGRPolygon> closed(const OGRPolygon& polygon) {
+  std::unique_ptr<OGRPolygon> copy(polygon.clone());
+  copy->closeRings();
+  return copy;
+}
+
+bool is_a_line_at_most(const OGRLinearRing& ring) {
+  std::vector<Vec2> corners = positions_of(ring);
+  std::sort(corners.begin(), corners.end(), [](const Vec2& a, const Vec2& b) {
+    return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+  });
+  return std::unique(corners.begin(), corners.end()) - corners.begin() < 3;
+}
+
 void check_polygon(const OGRPolygon& polygon, const fs::path& path, long long feature) {
   for (const OGRLinearRing* ring : polygon) {
     for (int i = 0; i < ring->getNumPoints(); ++i) {
@@ -75,6 +104,11 @@ void check_polygon(const OGRPolygon& polygon, const fs::path& path, long long fe
           fmt::format("'{}', feature {}: a corner is not a finite number; remove or mend it",
                       path.string(), feature));
     }
+  }
+  if (is_a_line_at_most(*polygon.getExteriorRing())) {
+    throw InvalidInput(fmt::format(
+        "'{}', feature {}: the polygon has fewer than three corners; draw it anew, or remove it",
+        path.string(), feature));
   }
   CPLErrorReset();
   if (polygon.IsValid() == 0) {
@@ -89,11 +123,11 @@ void collect(const OGRGeometry& geometry, const fs::path& path, long long featur
              LayerShapes& found) {
   const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
   if (type == wkbPolygon) {
-    const OGRPolygon& polygon = *geometry.toPolygon();
-    if (polygon.IsEmpty() != 0) return;
-    check_polygon(polygon, path, feature);
+    if (geometry.IsEmpty() != 0) return;
+    const auto polygon = closed(*geometry.toPolygon());
+    check_polygon(*polygon, path, feature);
     std::vector<Ring> rings;
-    for (const OGRLinearRing* ring : polygon) rings.push_back(ring_of(*ring));
+    for (const OGRLinearRing* ring : *polygon) rings.push_back(ring_of(*ring));
     found.polygons.push_back(std::move(rings));
   } else if (type == wkbPoint && geometry.IsEmpty() == 0) {
     const OGRPoint& point = *geometry.toPoint();
@@ -170,6 +204,21 @@ std::string text_of(const Box2& box) {
                      box.min.y(), box.max.y());
 }
 
+/// True if the middle of the area would lie in the data with longitude and latitude exchanged.
+bool meets_if_swapped(const Area& area, const Box2& data, const Frame& frame) {
+  if (frame.crs_wkt.empty()) return false;
+  const LonLat degrees(frame);
+  try {
+    const Box2 box = extent(area);
+    const std::vector<Vec2> middle{0.5 * (box.min + box.max)};
+    const Vec2 lonlat = degrees.from_local(middle).front();
+    const Vec2 there = degrees.to_local(std::vector<Vec2>{Vec2(lonlat.y(), lonlat.x())}).front();
+    return (there.array() >= data.min.array()).all() && (there.array() <= data.max.array()).all();
+  } catch (const InvalidInput&) {
+    return false;  // no such place
+  }
+}
+
 void check_meets(const Area& area, const Box2& data, const Frame& frame, const fs::path& path) {
   const Box2 box = extent(area);
   const bool apart =
@@ -179,9 +228,11 @@ void check_meets(const Area& area, const Box2& data, const Frame& frame, const f
     return Box2{frame.to_file(b.min), frame.to_file(b.max)};
   };
   throw InvalidInput(fmt::format(
-      "the polygons of '{}' ({}) do not meet the seafloor ({}); check their coordinate reference "
-      "system",
-      path.string(), text_of(in_file(box)), text_of(in_file(data))));
+      "the polygons of '{}' ({}) do not meet the seafloor ({}); {}", path.string(),
+      text_of(in_file(box)), text_of(in_file(data)),
+      meets_if_swapped(area, data, frame)
+          ? "with latitude and longitude exchanged they would: the file has them in the wrong order"
+          : "check their coordinate reference system"));
 }
 
 /// A degree is 111 km. Coordinates that span less than this as metres were meant as degrees.
@@ -255,7 +306,7 @@ struct Shapes {
   std::vector<std::string> names;  ///< of the parts
   double within_m = 0.0;           ///< the largest tolerance of those simplified
   std::size_t simplified = 0, corners_before = 0, corners_after = 0;
-  std::size_t polygons = 0, lines = 0, points = 0, off_the_data = 0;
+  std::size_t polygons = 0, lines = 0, points = 0, off_the_data = 0, closed_lines = 0;
 };
 
 /// The tolerance that leaves few enough corners, as far as the options allow.
@@ -271,6 +322,28 @@ double tolerance_of(const std::vector<Ring>& rings, const AreaImportOptions& opt
     tolerance *= 2.0;
   }
   return tolerance;
+}
+
+/// Drawings and tracks know no polygons: their closed lines are meant as such.
+void take_closed_lines(std::vector<LayerShapes>& layers, const fs::path& path, Shapes& shapes) {
+  for (LayerShapes& layer : layers) {
+    std::vector<std::vector<Vec2>> open;
+    for (std::vector<Vec2>& line : layer.lines) {
+      if (line.size() < 4 || line.front() != line.back()) {
+        open.push_back(std::move(line));
+        continue;
+      }
+      OGRLinearRing ring;
+      for (const Vec2& p : line) ring.addPoint(p.x(), p.y());
+      OGRPolygon polygon;
+      polygon.addRing(&ring);
+      check_polygon(polygon, path, static_cast<long long>(shapes.closed_lines));
+      layer.polygons.push_back({ring_of(ring)});
+      layer.names.emplace_back();
+      ++shapes.closed_lines;
+    }
+    layer.lines = std::move(open);
+  }
 }
 
 /// A polygon as an area, with fewer corners if it has very many.
@@ -331,6 +404,11 @@ std::vector<std::string> notes_on(const Shapes& shapes, const AreaImportOptions&
                           "with <buffer>",
                           file, what));
   }
+  if (shapes.closed_lines > 0) {
+    notes.push_back(fmt::format("'{}' holds no polygon: its {} closed {} taken as such", file,
+                                shapes.closed_lines,
+                                shapes.closed_lines == 1 ? "line was" : "lines were"));
+  }
   if (shapes.off_the_data > 0) {
     notes.push_back(fmt::format("'{}': {} of {} shapes lie off the seafloor's data", file,
                                 shapes.off_the_data, shapes.parts.size()));
@@ -351,9 +429,15 @@ ImportedArea import_area(const fs::path& path, const Frame& frame,
   const QuietGdal quiet;
   const GDALDatasetUniquePtr data = open_vectors(path);
   Shapes shapes;
+  std::vector<LayerShapes> layers;
   for (const std::string& name : chosen_layers(*data, options.layers, path)) {
-    add_layer(read_layer(*data->GetLayerByName(name.c_str()), path), frame, options, shapes);
+    layers.push_back(read_layer(*data->GetLayerByName(name.c_str()), path));
   }
+  const bool no_polygon = std::all_of(layers.begin(), layers.end(), [](const LayerShapes& layer) {
+    return layer.polygons.empty();
+  });
+  if (no_polygon && !(options.buffer_m > 0.0)) take_closed_lines(layers, path, shapes);
+  for (LayerShapes& layer : layers) add_layer(std::move(layer), frame, options, shapes);
   if (shapes.parts.empty()) {
     throw InvalidInput(fmt::format(
         "'{}' holds no polygon; draw the area as a polygon (lines and points count with a <buffer> "

@@ -94,9 +94,7 @@ bool is_mesh_extension(const std::string& extension) {
   return extension == ".off" || (!extension.empty() && assimp_reads(extension));
 }
 
-namespace {
-
-SurfaceData read_mesh_here(const fs::path& path) {
+SurfaceData read_mesh_unguarded(const fs::path& path) {
   const std::string extension = lower(path.extension().string());
   const bool is_stl = extension == ".stl";
   const bool exact = extension == ".obj" || extension == ".ply" || extension == ".off" ||
@@ -119,6 +117,8 @@ SurfaceData read_mesh_here(const fs::path& path) {
   }
   return data;
 }
+
+namespace {
 
 /// More for a larger file; what broken counts, cycles and instances ask for is far beyond it.
 ChildLimits limits_for(std::uintmax_t bytes) {
@@ -145,7 +145,8 @@ SurfaceData read_mesh(const fs::path& path) {
   // Foreign readers crash or loop on broken files. In a process of its own the reader can do no
   // harm, and the user gets an error message.
   const ChildLimits limits = limits_for(fs::file_size(path));
-  const ChildResult result = run_in_child([&] { return to_bytes(read_mesh_here(path)); }, limits);
+  const ChildResult result =
+      run_in_child([&] { return to_bytes(read_mesh_unguarded(path)); }, limits);
   if (result.end == ChildEnd::done) return surface_from_bytes(result.text);
   if (result.end == ChildEnd::failed) throw InvalidInput(result.text);
   throw InvalidInput(

@@ -16,4 +16,8 @@ namespace swathplan {
 /// @throws InvalidInput for a truncated or garbled file, an index out of range, no faces.
 [[nodiscard]] SurfaceData read_mesh(const std::filesystem::path& path);
 
+/// The same without a process of its own, which keeps crashes of foreign readers away: for that
+/// process, and for fuzzers.
+[[nodiscard]] SurfaceData read_mesh_unguarded(const std::filesystem::path& path);
+
 }  // namespace swathplan

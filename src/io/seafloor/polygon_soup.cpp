@@ -4,6 +4,8 @@
 #include <CGAL/IO/STL.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -27,27 +29,103 @@ struct PlyCounts {
   std::size_t vertices = 0, faces = 0;
 };
 
-/// CGAL never stops reading a PLY whose header has no end. It also believes any count.
-PlyCounts check_ply(const std::filesystem::path& path, std::istream& in) {
-  PlyCounts counts;
-  const std::size_t size = std::filesystem::file_size(path);
-  std::string line;
-  std::size_t read = 0;
-  while (std::getline(in, line) && read < kLongestHeader) {
-    read += line.size() + 1;
-    const std::vector<std::string_view> words = split(line, ' ');
-    if (!words.empty() && words[0] == "end_header") return counts;
-    if (words.size() < 3 || words[0] != "element") continue;
+bool is_ply_number(std::string_view type) {
+  constexpr std::array kTypes = {"char",  "uchar",  "short",   "ushort", "int",   "uint",
+                                 "float", "double", "int8",    "uint8",  "int16", "uint16",
+                                 "int32", "uint32", "float32", "float64"};
+  return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+}
+
+bool is_ply_float(std::string_view type) {
+  return type == "float" || type == "double" || type == "float32" || type == "float64";
+}
+
+/// Reads the header of a PLY line by line. CGAL never stops reading one that has no end, believes
+/// any count, and crashes over lines that it does not know and over coordinates of other types.
+class PlyHeader {
+ public:
+  explicit PlyHeader(const std::filesystem::path& path)
+      : path_(path), size_(std::filesystem::file_size(path)) {}
+
+  PlyCounts read(std::istream& in) {
+    std::string line;
+    std::size_t read = 0;
+    while (std::getline(in, line) && read < kLongestHeader) {
+      read += line.size() + 1;
+      ++number_;
+      const std::vector<std::string_view> words = split(line, ' ');
+      if (words.empty()) continue;
+      if (words[0] == "end_header" && number_ > 2) {
+        check_columns();
+        return counts_;
+      }
+      if (!takes(words)) {
+        garbled(path_,
+                fmt::format("has line {}, '{}', which no PLY header has", number_, quotable(line)));
+      }
+    }
+    garbled(path_, "has no 'end_header' line");
+  }
+
+ private:
+  bool takes(const std::vector<std::string_view>& words) {
+    if (number_ == 1) return words.size() == 1 && words[0] == "ply";
+    if (number_ == 2) return is_format(words);
+    if (words[0] == "comment" || words[0] == "obj_info") return true;
+    if (words[0] == "element") return words.size() == 3 && (take_element(words), true);
+    if (words[0] != "property" || element_.empty()) return false;
+    const bool list = words.size() == 5 && words[1] == "list";
+    if (!list && words.size() != 3) return false;
+    const std::string_view name = words.back();
+    if (list && !(is_ply_number(words[2]) && !is_ply_float(words[2]))) return false;
+    if (!is_ply_number(words[words.size() - 2])) return false;
+    if (element_ == "vertex" && (name == "x" || name == "y" || name == "z")) {
+      if (list || !is_ply_float(words[1])) {
+        garbled(path_, fmt::format("has '{}' of a type other than float or double", name));
+      }
+      ++coordinates_;
+    }
+    if (element_ == "face" && (name == "vertex_indices" || name == "vertex_index")) {
+      if (!list || is_ply_float(words[3])) {
+        garbled(path_, fmt::format("has '{}' that is no list of whole numbers", name));
+      }
+      ++indices_;
+    }
+    return true;
+  }
+
+  static bool is_format(const std::vector<std::string_view>& words) {
+    return words.size() == 3 && words[0] == "format" &&
+           (words[1] == "ascii" || words[1] == "binary_little_endian" ||
+            words[1] == "binary_big_endian");
+  }
+
+  void take_element(const std::vector<std::string_view>& words) {
+    element_ = std::string(words[1]);
     const double count = to_number(words[2]).value_or(-1.0);
-    if (!(count >= 0.0) || count > static_cast<double>(size)) {
-      garbled(path,
+    if (!(count >= 0.0) || count > static_cast<double>(size_)) {
+      garbled(path_,
               fmt::format("says it holds {} of '{}'", quotable(words[2]), quotable(words[1])));
     }
-    if (words[1] == "vertex") counts.vertices = static_cast<std::size_t>(count);
-    if (words[1] == "face") counts.faces = static_cast<std::size_t>(count);
+    if (element_ == "vertex") counts_.vertices = static_cast<std::size_t>(count);
+    if (element_ == "face") counts_.faces = static_cast<std::size_t>(count);
   }
-  garbled(path, "has no 'end_header' line");
-}
+
+  void check_columns() const {
+    if (counts_.vertices > 0 && coordinates_ != 3) {
+      garbled(path_, "does not have one x, one y and one z for each vertex");
+    }
+    if (counts_.faces > 0 && indices_ != 1)
+      garbled(path_, "does not have one list of corners for each face");
+  }
+
+  const std::filesystem::path& path_;
+  std::size_t size_;
+  std::size_t number_ = 0;
+  std::string element_;
+  PlyCounts counts_;
+  int coordinates_ = 0, indices_ = 0;
+};
 
 /// CGAL accepts an ASCII STL that ends too early, even one without a facet.
 void check_ascii_stl(const std::filesystem::path& path, std::istream& in) {
@@ -66,7 +144,7 @@ void read_soup(const std::filesystem::path& path, SoupFormat format, std::vector
   std::vector<Kernel::Point_3> points;
   std::ifstream in(path, std::ios::binary);
   PlyCounts counts;
-  if (format == SoupFormat::ply) counts = check_ply(path, in);
+  if (format == SoupFormat::ply) counts = PlyHeader(path).read(in);
   if (format == SoupFormat::ascii_stl) check_ascii_stl(path, in);
   in.clear();
   in.seekg(0);

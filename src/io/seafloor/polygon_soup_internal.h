@@ -16,7 +16,7 @@ void read_soup(const std::filesystem::path& path, SoupFormat format, std::vector
                std::vector<SoupPolygon>& polygons);
 
 /// Cuts polygons into triangles that follow their outline. `path` is for the message.
-/// @throws InvalidInput for an index out of range or a polygon that cannot be cut.
+/// @throws InvalidInput for an index out of range or a polygon of too many corners.
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> triangulate(
     const std::filesystem::path& path, const std::vector<Vec3>& vertices,
     const std::vector<SoupPolygon>& polygons);

@@ -12,6 +12,9 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
+/// Cutting a polygon takes the cube of its corners, which CGAL counts in 32 bits.
+constexpr std::size_t kMostCorners = 1000;
+
 /// CGAL fills the polygon as if it were a hole. A simple fan of triangles could leave its outline.
 std::vector<CGAL::Triple<int, int, int>> fill(const std::vector<Vec3>& vertices,
                                               const SoupPolygon& polygon) {
@@ -49,6 +52,11 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const std::filesystem::pat
             "or garbled",
             path.string(), i + 1, v + 1, vertices.size()));
       }
+    }
+    if (p.size() > kMostCorners) {
+      throw InvalidInput(fmt::format(
+          "'{}', face {}: has {} corners; at most {} can be cut into triangles: export triangles",
+          path.string(), i + 1, p.size(), kMostCorners));
     }
     if (p.size() == 3) faces.push_back({at(p[0]), at(p[1]), at(p[2])});
     if (p.size() <= 3) continue;

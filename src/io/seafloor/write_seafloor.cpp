@@ -106,7 +106,7 @@ void write_seafloor(const std::filesystem::path& path, const Seafloor& seafloor)
   if (extension == ".obj") {
     write_text_atomically(path, obj_text(seafloor));
   } else if (extension == ".asc" || extension == ".tif") {
-    write_atomically(path, [&](const std::filesystem::path& part) {
+    write_through_memory(path, [&](const std::string& part) {
       write_grid(part, path.string(), seafloor);
     });
   } else {

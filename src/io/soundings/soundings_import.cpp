@@ -58,6 +58,13 @@ std::string unit_name(double unit_m) {
 }
 
 /// Reads rows one after the other; the first lines decide how.
+/// True for a column that says which soundings were rejected when they were edited.
+bool marks_soundings(std::string_view name) {
+  const std::string word = lower(trim(name));
+  return word == "rejected" || word == "deleted" || word == "accepted" || word == "flag" ||
+         word == "flags" || word == "status" || word == "edit_flag" || word == "outlier";
+}
+
 class RowReader {
  public:
   RowReader(const fs::path& path, const SoundingsOptions& options)
@@ -350,6 +357,13 @@ class RowReader {
     } else if (columns_.z_unit_m && *columns_.z_unit_m != 1.0) {
       text +=
           fmt::format("; z is in {} and was converted to metres", unit_name(*columns_.z_unit_m));
+    }
+    for (const auto& name : header_) {
+      if (!marks_soundings(name)) continue;
+      data.warnings.push_back(fmt::format(
+          "the column '{}' is not looked at: soundings that it rejects are part of the seafloor; "
+          "leave them out of the file",
+          quotable(name, 30)));
     }
     std::vector<std::string> aside;
     for (const std::string& name : columns_.passed_over) aside.push_back(quotable(name, 30));

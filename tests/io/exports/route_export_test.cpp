@@ -48,7 +48,7 @@ TEST(ExportRoute, NamesOptionsThatBreakTheirRules) {
   EXPECT_THROW(check(ExportOptions{{}, 0.1, 3}), UsageError);
   EXPECT_NO_THROW(check(ExportOptions{{}, 0.1, 4}));
   EXPECT_THAT(export_refusal([] { (void)export_format("shp"); }),
-              testing::AllOf(HasSubstr("shp"), HasSubstr("waypoints, gpx, rtz")));
+              testing::AllOf(HasSubstr("shp"), HasSubstr("waypoints, plan, gpx, rtz")));
   for (const ExportFormat format : all_export_formats()) {
     EXPECT_EQ(export_format(name(format)), format);
   }

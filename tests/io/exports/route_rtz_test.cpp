@@ -45,6 +45,66 @@ TEST(RouteRtz, HoldsWhatTheSchemaAsksFor) {
   EXPECT_NEAR(knots[1], 1.5 * 3600 / 1852, 0.001) << "the first leg of the turn";
 }
 
+using Names = std::set<std::string>;
+
+/// Elements in their order; attributes must be among those allowed.
+std::vector<const CPLXMLNode*> elements(const CPLXMLNode* parent, const Names& attributes) {
+  std::vector<const CPLXMLNode*> found;
+  for (const CPLXMLNode* n = parent->psChild; n != nullptr; n = n->psNext) {
+    if (n->eType == CXT_Element) found.push_back(n);
+    if (n->eType == CXT_Attribute) {
+      EXPECT_TRUE(attributes.contains(n->pszValue)) << parent->pszValue << " " << n->pszValue;
+    }
+    EXPECT_TRUE(n->eType != CXT_Text) << parent->pszValue << " holds text";
+  }
+  return found;
+}
+
+void expect_decimal(const CPLXMLNode* node, const char* attribute, double least, double below,
+                    bool required) {
+  const char* text = CPLGetXMLValue(node, attribute, nullptr);
+  EXPECT_TRUE(text != nullptr || !required) << node->pszValue << " lacks " << attribute;
+  if (text == nullptr) return;
+  EXPECT_EQ(std::string(text).find_first_not_of("-0123456789."), std::string::npos) << text;
+  EXPECT_GE(std::stod(text), least) << attribute;
+  EXPECT_LT(std::stod(text), below) << attribute;
+}
+
+/// The rules of the schema of RTZ 1.0 (IEC 61174:2015, annex S) for what is written here.
+TEST(RouteRtz, KeepsToTheTypesOfTheSchema) {
+  const test::Exported rtz(ExportFormat::rtz);
+  const std::unique_ptr<CPLXMLNode, decltype(&CPLDestroyXMLNode)> document(
+      CPLParseXMLFile(rtz.file().c_str()), &CPLDestroyXMLNode);
+  const CPLXMLNode* route = CPLGetXMLNode(document.get(), "=route");
+  const auto top = elements(route, {"xmlns", "version"});
+  ASSERT_EQ(top.size(), 2U);
+  EXPECT_STREQ(top[0]->pszValue, "routeInfo");
+  EXPECT_STREQ(top[1]->pszValue, "waypoints");
+  EXPECT_TRUE(elements(top[0], {"routeName", "routeAuthor"}).empty());
+  const auto waypoints = elements(top[1], {});
+  ASSERT_GE(waypoints.size(), 2U);
+  Names ids;
+  for (const CPLXMLNode* w : waypoints) {
+    EXPECT_STREQ(w->pszValue, "waypoint");
+    const auto parts = elements(w, {"id", "revision", "name", "radius"});
+    expect_decimal(w, "id", 0.0, 1e9, true);
+    EXPECT_TRUE(ids.insert(CPLGetXMLValue(w, "id", "")).second);
+    expect_decimal(w, "radius", 0.0, 10.0, false);
+    ASSERT_GE(parts.size(), 1U);
+    EXPECT_STREQ(parts[0]->pszValue, "position");
+    EXPECT_TRUE(elements(parts[0], {"lat", "lon"}).empty());
+    expect_decimal(parts[0], "lat", -90.0, 90.000001, true);
+    expect_decimal(parts[0], "lon", -180.0, 180.0, true);
+    if (parts.size() == 1) continue;
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_STREQ(parts[1]->pszValue, "leg");
+    EXPECT_TRUE(elements(parts[1], {"geometryType", "speedMax", "legInfo"}).empty());
+    const Names geometries{"Loxodrome", "Orthodrome"};
+    EXPECT_TRUE(geometries.contains(CPLGetXMLValue(parts[1], "geometryType", "")));
+    expect_decimal(parts[1], "speedMax", 0.0, 1000.0, false);
+  }
+}
+
 TEST(RouteRtz, TurnsFitTheirLegsAndStayAtTheCorner) {
   const Frame frame = test::utm_frame();
   const GeographicRoute route = geographic_route(test::lawnmower(3), frame, 0.1);

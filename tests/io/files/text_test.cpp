@@ -66,6 +66,15 @@ TEST(Text, DecimalsHaveNoTrailingZerosAndNoMinusZero) {
   EXPECT_EQ(decimal(-0.25, 6), "-0.25");
 }
 
+TEST(Text, NumbersMayHaveTheExponentOfFortran) {
+  EXPECT_EQ(to_number("0.5D+06"), 500000.0);
+  EXPECT_EQ(to_number("-1.25d-1"), -0.125);
+  EXPECT_EQ(to_number("1D"), std::nullopt);
+  EXPECT_EQ(to_number("1D2D3"), std::nullopt);
+  EXPECT_EQ(to_number("D3"), std::nullopt);
+  EXPECT_EQ(to_number("1e2D3"), std::nullopt);
+}
+
 TEST(Text, TrimAndLowerLeaveTheMiddleAlone) {
   EXPECT_EQ(trim("\t a b \r\n"), "a b");
   EXPECT_EQ(trim(" \n"), "");

@@ -53,6 +53,15 @@ TEST(Raster, ValuesNotFarOutsideAreOnlyWarnedAbout) {
   EXPECT_THAT(warnings, Contains(HasSubstr("set <nodata value> -999")));
 }
 
+TEST(Raster, ZerosApartFromADeepSeaAreWarnedAbout) {
+  const auto [count, warnings] = left({0, -8, -8.5, -9, -8.2, -8.7});
+  EXPECT_EQ(count, 6U) << "it may be land";
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_THAT(warnings[0], HasSubstr("1 of 6 cells hold exactly 0"));
+  EXPECT_TRUE(left({0, -0.1, -8.5, -9, -4, -2}).second.empty()) << "a beach comes down to 0";
+  EXPECT_TRUE(left({1, -1, 0, -9, -4, -2}).second.empty());
+}
+
 TEST(Raster, NodataMatchesAsRoundedTo32Bits) {
   Raster r = raster({1, 2, 3, 4});
   r.nodata = 0.1;

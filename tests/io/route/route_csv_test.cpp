@@ -116,6 +116,16 @@ TEST(RouteCsv, ReadsForeignColumnsSeparatorsQuotesAndByteOrderMarks) {
   EXPECT_THAT(back.fan_note.value_or(""), HasSubstr("names no fan: 60 degrees to port"));
 }
 
+TEST(RouteCsv, ReadsTheDecimalCommasOfSpreadsheets) {
+  const auto read =
+      parse_route_csv("x_m;y_m;port_deg;stbd_deg\n101,5;202,25;45,5;45,5\n103;204;45;45\n",
+                      "lines.csv", csv_frame(), {});
+  EXPECT_EQ(csv_frame().to_file(read.route.waypoints[0].position), Vec2(101.5, 202.25));
+  EXPECT_NEAR(read.route.waypoints[0].fan->port.deg(), 45.5, 1e-9);
+  EXPECT_THAT(csv_refusal("x_m;y_m;port_deg;stbd_deg\n1.234,5;2;45;45\n3;4;45;45\n"),
+              HasSubstr("is not a finite number"));
+}
+
 TEST(RouteCsv, TakesRoutesWithoutAStatusAndWithAnotherOne) {
   const auto feasible = [](const std::string& text) {
     return parse_route_csv(text, "r.csv", csv_frame(), {}).route.waypoints[0].feasible;

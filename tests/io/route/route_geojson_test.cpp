@@ -166,6 +166,13 @@ TEST(RouteGeojson, ReadsABareLineStringAndAStatedCrs) {
   EXPECT_LT((other.route.waypoints[0].position - Vec2(10.0, 20.0)).norm(), 1e-6);
 }
 
+TEST(RouteGeojson, RefusesCollectionsWithoutEnd) {
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += R"({"type":"GeometryCollection","geometries":[)";
+  for (int i = 0; i < 100000; ++i) deep += "]}";
+  EXPECT_THAT(geojson_refusal(deep), HasSubstr("nested too deeply"));
+}
+
 TEST(RouteGeojson, RefusesWhatIsNoRoute) {
   EXPECT_THAT(geojson_refusal(R"({"type":"LineString","coordinates":[[1,2],[3,)"),
               HasSubstr("truncated"));
@@ -173,7 +180,7 @@ TEST(RouteGeojson, RefusesWhatIsNoRoute) {
   EXPECT_THAT(geojson_refusal(R"({"type":"FeatureCollection"})"),
               HasSubstr("'features' is missing"));
   EXPECT_THAT(geojson_refusal(R"({"type":"Point","coordinates":[1,2]})"),
-              HasSubstr("holds no LineString"));
+              HasSubstr("holds neither a LineString nor two points"));
   EXPECT_THAT(geojson_refusal(R"({"type":"LineString","coordinates":[[1,2],[3,4]]})"),
               HasSubstr("the seafloor has no CRS"));
   EXPECT_THAT(

@@ -133,6 +133,52 @@ TEST_F(AreaImport, RefusesWhatIsNoArea) {
   EXPECT_THAT(says(square, Box2{Vec2(5, 0), Vec2(9, 4)}), HasSubstr("do not meet"));
 }
 
+TEST_F(AreaImport, ClosedLinesCountWhereThereIsNoPolygon) {
+  const std::string ring = R"({"type":"LineString","coordinates":[[0,0],[4,0],[4,4],[0,4],[0,0]]})";
+  const ImportedArea read = import_area(write("a.geojson", geojson(ring)), Frame{});
+  EXPECT_NEAR(area_m2(read.area), 16.0, 1e-9);
+  ASSERT_EQ(read.notes.size(), 1U);
+  EXPECT_THAT(read.notes[0], HasSubstr("holds no polygon: its 1 closed line was taken as such"));
+  const ImportedArea room = import_area(path("a.geojson"), Frame{}, {.buffer_m = 0.5});
+  EXPECT_GT(area_m2(room.area), 15.0) << "with a buffer it stays a line";
+  EXPECT_LT(area_m2(room.area), 16.1);
+}
+
+TEST_F(AreaImport, UnclosedPolygonsAreClosed) {
+  const std::string open =
+      "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Placemark><Polygon><outerBoundaryIs>"
+      "<LinearRing><coordinates>0,0 4,0 4,4 0,4</coordinates></LinearRing></outerBoundaryIs>"
+      "</Polygon></Placemark></kml>";
+  EXPECT_NEAR(area_m2(import_area(write("a.kml", open), Frame{}).area), 16.0, 1e-9);
+}
+
+TEST_F(AreaImport, SaysWhatIsReallyWrong) {
+  const std::string sliver =
+      geojson(R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[0,0],[4,0],[0,0]]]})");
+  EXPECT_THAT(refusal([&] { return import_area(write("a.geojson", sliver), Frame{}); }),
+              HasSubstr("fewer than three corners"));
+  const std::string good = lon_lat_rectangle({479100, 6104100}, {479500, 6104500});
+  const Box2 data{Vec2(0, 0), Vec2(1000, 1000)};
+  EXPECT_NO_THROW((void)import_area(write("b.geojson", good), utm_frame(), {.data_extent = data}));
+  std::string swapped = good;
+  for (std::size_t at = swapped.find("[14."); at != std::string::npos;
+       at = swapped.find("[14.", at + 1)) {
+    const std::size_t comma = swapped.find(',', at);
+    const std::size_t end = swapped.find(']', at);
+    swapped.replace(at, end - at,
+                    "[" + swapped.substr(comma + 1, end - comma - 1) + "," +
+                        swapped.substr(at + 1, comma - at - 1));
+  }
+  ASSERT_NE(swapped, good);
+  EXPECT_THAT(refusal([&] {
+                return import_area(write("c.geojson", swapped), utm_frame(), {.data_extent = data});
+              }),
+              HasSubstr("with latitude and longitude exchanged they would"));
+  std::filesystem::copy_file(written(path("d.shp"), "ESRI Shapefile", ""), path("e.shp"));
+  EXPECT_THAT(refusal([&] { return import_area(path("e.shp"), Frame{}); }),
+              HasSubstr(".shx is not beside it"));
+}
+
 std::string feature_of(const std::string& geometry) {
   return R"({"type":"Feature","properties":{},"geometry":)" + geometry + "}";
 }

@@ -104,15 +104,15 @@ TEST_F(ForeignFiles, ALayerBelowTheSeafloorDoesNotCount) {
               Not(HasSubstr("below others")));
 }
 
-TEST_F(ForeignFiles, AMeshWithYUpIsWarnedAbout) {
+TEST_F(ForeignFiles, AMeshWithYUpIsAskedAbout) {
   std::string text;
   for (int i = 0; i < 9; ++i) {
     text += "v " + std::to_string(10 * (i % 3)) + " " + std::to_string(-10 - 0.1 * i) + " " +
             std::to_string(-10 * (i / 3)) + "\n";
   }
   text += "f 1 2 5 4\nf 2 3 6 5\nf 4 5 8 7\nf 5 6 9 8\n";
-  EXPECT_THAT(warnings_of(import_seafloor(write("a.obj", text))),
-              Contains(HasSubstr("looks y up")));
+  EXPECT_THAT([&] { (void)import_seafloor(write("a.obj", text)); },
+              testing::ThrowsMessage<InvalidInput>(HasSubstr("looks y up")));
   EXPECT_THAT(warnings_of(import_seafloor(write("b.obj", sheet(10, 1)))),
               Not(Contains(HasSubstr("y up"))));
 }

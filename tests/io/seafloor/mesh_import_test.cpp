@@ -74,12 +74,27 @@ TEST_F(MeshImport, RefusesTruncatedAndGarbledFiles) {
   EXPECT_THAT(says("a.obj", vertices + "f 1 2 9\n"), HasSubstr("vertex 9"));
   EXPECT_THAT(says("a.obj", vertices + "f 1 2 0\n"), HasSubstr("line 4"));
   EXPECT_THAT(says("a.obj", vertices + "f 1 2\n"), HasSubstr("fewer than three"));
+  std::string many = vertices + "f";
+  for (int i = 0; i < 3000; ++i) many += " " + std::to_string(i % 3 + 1);
+  EXPECT_THAT(says("a.obj", many + "\n"), HasSubstr("face 1: has 3000 corners"));
   EXPECT_THAT(says("a.obj", "v 0 0 nan\n"), HasSubstr("not finite"));
   EXPECT_THAT(says("a.obj", "v 0,5 0 -1\n"), HasSubstr("line 1"));
   EXPECT_THAT(says("a.ply", kPlyHead), HasSubstr("end_header"));
   const std::string ply = std::string(kPlyHead) + "end_header\n" + std::string(kPlyVertices);
   EXPECT_THAT(says("a.ply", ply), HasSubstr("truncated"));
   EXPECT_THAT(says("a.ply", ply + "4 0 1 2 9\n"), HasSubstr("vertex 10"));
+  const auto head = [&](const std::string& from, const std::string& to) {
+    std::string text = ply + "4 0 1 2 3\n";
+    text.replace(text.find(from), from.size(), to);
+    return says("a.ply", text);
+  };
+  EXPECT_THAT(head("element face", "element0face"), HasSubstr("line 7, 'element0face 1'"));
+  EXPECT_THAT(head("format ascii 1.0", "format ascii"), HasSubstr("line 2, 'format ascii'"));
+  EXPECT_THAT(head("double x", "list uchar double x"), HasSubstr("'x' of a type other than"));
+  EXPECT_THAT(head("double x", "int x"), HasSubstr("'x' of a type other than"));
+  EXPECT_THAT(head("double x", "double w"), HasSubstr("one x, one y and one z"));
+  EXPECT_THAT(head("uchar int vertex", "uchar float vertex"), HasSubstr("no list of whole"));
+  EXPECT_THAT(head("list uchar int vertex_indices", "int vertex_indices"), HasSubstr("no list"));
   EXPECT_THAT(says("a.stl", binary_stl(3, 2)), HasSubstr("truncated"));
   EXPECT_THAT(says("a.stl", "solid s\nfacet normal 0 0 1\n"), HasSubstr("endsolid"));
   EXPECT_THAT(says("a.stl", "solid s\nendsolid s\n"), HasSubstr("neither"));
