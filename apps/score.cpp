@@ -79,73 +79,8 @@ bool is_near_if_swapped(const std::vector<Vec2>& points, const Site& site) {
   }
 }
 
-/// The part of the segment from `a` to `b` that lies in the box, as shares of its length.
-std::optional<std::pair<double, double>> part_within(const Box2& box, const Vec2& a,
-                                                     const Vec2& b) {
-  double from = 0.0;
-  double to = 1.0;
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
-    const double step = b[axis] - a[axis];
-    if (step == 0.0) {
-      if (a[axis] < box.min[axis] || a[axis] > box.max[axis]) return std::nullopt;
-      continue;
-    }
-    const double first = (box.min[axis] - a[axis]) / step;
-    const double second = (box.max[axis] - a[axis]) / step;
-    from = std::max(from, std::min(first, second));
-    to = std::min(to, std::max(first, second));
-  }
-  if (from >= to) return std::nullopt;
-  return std::pair(from, to);
-}
-
-/// Shorter stretches without data are sailed with the sonar on, as the route says.
-constexpr double kFarM = 10e3;
-/// Once around the earth: a longer route has a slip in its coordinates.
-constexpr double kLongestRouteM = 40e6;
-
-/// Switches the sonar off where it cannot reach any data, if that is so for kFarM or more: a ping
-/// there costs as much as any other. Returns what is to be said, or nothing.
-std::optional<std::string> silence_far_off(Route& route, const Box2& data, double range_m) {
-  Box2 reach = data;
-  reach.min.array() -= range_m;
-  reach.max.array() += range_m;
-  Route silenced;
-  double far_m = 0.0;
-  for (std::size_t i = 0; i + 1 < route.waypoints.size(); ++i) {
-    const Waypoint& w = route.waypoints[i];
-    const Vec2 step = route.waypoints[i + 1].position - w.position;
-    Waypoint off = w;
-    off.fan.reset();
-    const auto part = part_within(reach, w.position, w.position + step);
-    if (!w.fan || !part) {
-      silenced.waypoints.push_back(off);
-      if (w.fan) far_m += step.norm();
-      continue;
-    }
-    if (part->first > 0.0) silenced.waypoints.push_back(off);
-    silenced.waypoints.push_back(w);
-    silenced.waypoints.back().position = w.position + part->first * step;
-    off.position = w.position + part->second * step;
-    if (part->second < 1.0) silenced.waypoints.push_back(off);
-    far_m += (1.0 - part->second + part->first) * step.norm();
-  }
-  if (far_m < kFarM) return std::nullopt;
-  silenced.waypoints.push_back(route.waypoints.back());
-  route = std::move(silenced);
-  return fmt::format(
-      "{:.0f} km of the route lie beyond the sonar's range of any data: taken with the sonar off",
-      far_m / 1000.0);
-}
-
 /// A route that nowhere comes near the data is in another CRS or of another place.
 void check_meets_data(const Route& route, const Site& site, const std::filesystem::path& file) {
-  if (const double length = length_m(route); length > kLongestRouteM) {
-    throw InvalidInput(
-        fmt::format("'{}': the route is {:.4g} km long, more than once around the earth; check its "
-                    "coordinates",
-                    file.string(), length / 1000.0));
-  }
   const std::vector<Vec2> points = positions(route.waypoints);
   if (is_near_data(points, site)) return;
   if (is_near_if_swapped(points, site)) {
@@ -196,9 +131,6 @@ void run(const ScoreCommand& command) {
   check_meets_data(route.route, *site, command.route);
   Plan plan;
   plan.route = route.route;
-  const auto far_off =
-      silence_far_off(plan.route, extent(site->seafloor()), survey.sonar.max_range_m);
-  if (far_off) plan.notes.push_back(*far_off);
   if (route.fan_note) plan.notes.push_back(*route.fan_note);
   plan.notes.insert(plan.notes.end(), route.notes.begin(), route.notes.end());
   const Scorer scorer(*site, survey, command.output.quiet);

@@ -19,7 +19,7 @@ const std::string kPlan =
     " --planner back-and-forth --hit-only --resolution 0.25 --crs EPSG:32630 -o out ";
 
 /// Runs a line of the shell in the folder; $P is the program.
-test::Run shell(const Folder& folder, const std::string& line) {
+test::Run in_shell(const Folder& folder, const std::string& line) {
   const std::string command = "cd '" + folder.path().string() +
                               "' && export P='" SWATHPLAN_PROGRAM "' && bash -c '" + line +
                               "' 2>.said </dev/null";
@@ -56,9 +56,9 @@ TEST(FullDisk, EachExportEndsInASentenceAndLeavesNothing) {
   folder.write("zigzag.csv", zigzag(4000));
   for (const char* format : {"waypoints", "plan", "gpx", "rtz", "kml", "lnw", "dxf"}) {
     const auto run =
-        shell(folder, std::string("ulimit -f 16; timeout 60 $P export zigzag.csv --crs "
-                                  "EPSG:32630 -o out --format ") +
-                          format);
+        in_shell(folder, std::string("ulimit -f 16; timeout 60 $P export zigzag.csv --crs "
+                                     "EPSG:32630 -o out --format ") +
+                             format);
     EXPECT_EQ(run.code, 1) << format << run.err;
     EXPECT_THAT(run.err, HasSubstr(std::string("cannot write 'out/zigzag.") + format)) << format;
     EXPECT_THAT(run.err, HasSubstr("no file of this run was written")) << format;
@@ -71,7 +71,7 @@ TEST(FullDisk, APlanIsWrittenWholeOrNotAtAll) {
   ASSERT_EQ(folder.run(kPlan + "--export gpx,dxf").code, 0);
   const auto before = files_in(folder / "out");
   const std::string route = text_of(folder / "out" / "route.csv");
-  const auto run = shell(folder, "ulimit -f 40; timeout 60 $P " + kPlan + "--heading 30");
+  const auto run = in_shell(folder, "ulimit -f 40; timeout 60 $P " + kPlan + "--heading 30");
   EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_THAT(run.err, HasSubstr("cannot write 'out/"));
   EXPECT_THAT(run.err, HasSubstr("no file of this run was written to 'out'"));
@@ -82,13 +82,13 @@ TEST(FullDisk, APlanIsWrittenWholeOrNotAtAll) {
 TEST(FullDisk, WhatIsPrintedCountsAsWritten) {
   const Folder folder;
   for (const std::string more : {"--json", ""}) {
-    const auto run = shell(folder, "timeout 60 $P " + kPlan + more + " >/dev/full");
+    const auto run = in_shell(folder, "timeout 60 $P " + kPlan + more + " >/dev/full");
     EXPECT_EQ(run.code, 1) << run.err;
     EXPECT_THAT(run.err, HasSubstr("cannot write to standard output (No space left on device)"));
     EXPECT_TRUE(fs::exists(folder / "out" / "route.csv"));
   }
   const auto run =
-      shell(folder, "timeout 60 $P inspect " + dataset("shaft.obj") + " --json >/dev/full");
+      in_shell(folder, "timeout 60 $P inspect " + dataset("shaft.obj") + " --json >/dev/full");
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.err, HasSubstr("cannot write to standard output"));
 }
@@ -97,19 +97,19 @@ TEST(ClosedStreams, NobodyToReadTheMessagesDoesNotEndAPlan) {
   const Folder folder;
   for (const char* stream : {"2>&-", "2>/dev/full", "2>&- </dev/null 0<&-"}) {
     fs::remove_all(folder / "out");
-    const auto run = shell(folder, "timeout 60 $P " + kPlan + ">table " + stream);
+    const auto run = in_shell(folder, "timeout 60 $P " + kPlan + ">table " + stream);
     EXPECT_EQ(run.code, 0) << stream;
     EXPECT_THAT(text_of(folder / "table"), HasSubstr("report: ")) << stream;
     EXPECT_THAT(text_of(folder / "out" / "route.csv"), testing::StartsWith("seq,line,"));
   }
   // Wrong input still ends in its own code.
-  EXPECT_EQ(shell(folder, "timeout 60 $P plan nothing.asc -o out 2>&-").code, 1);
-  EXPECT_EQ(shell(folder, "timeout 60 $P plan --never 2>/dev/full").code, 2);
+  EXPECT_EQ(in_shell(folder, "timeout 60 $P plan nothing.asc -o out 2>&-").code, 1);
+  EXPECT_EQ(in_shell(folder, "timeout 60 $P plan --never 2>/dev/full").code, 2);
 }
 
 TEST(ClosedStreams, AClosedStdoutNeverEndsUpInAFile) {
   const Folder folder;
-  const auto run = shell(folder, "timeout 60 $P " + kPlan + ">&-");
+  const auto run = in_shell(folder, "timeout 60 $P " + kPlan + ">&-");
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.err, HasSubstr("cannot write to standard output"));
   for (const auto& entry : fs::directory_iterator(folder / "out")) {
@@ -119,8 +119,8 @@ TEST(ClosedStreams, AClosedStdoutNeverEndsUpInAFile) {
 
 TEST(ClosedStreams, ABrokenPipeEndsInTheCodeOfAnError) {
   const Folder folder;
-  const auto run =
-      shell(folder, "{ timeout 60 $P " + kPlan + "--json; echo $? >code; } | sleep 0; sleep 0.1");
+  const auto run = in_shell(
+      folder, "{ timeout 60 $P " + kPlan + "--json; echo $? >code; } | sleep 0; sleep 0.1");
   EXPECT_EQ(text_of(folder / "code"), "1\n");
   EXPECT_THAT(run.err, HasSubstr("cannot write to standard output (Broken pipe)"));
   EXPECT_TRUE(fs::exists(folder / "out" / "route.csv"));
@@ -131,7 +131,7 @@ TEST(Outputs, ADeviceIsNotReplaced) {
   const auto run = folder.run("synth flat -o /dev/null");
   EXPECT_NE(run.code, 0);
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
-  ASSERT_EQ(shell(folder, "mkfifo pipe.obj").code, 0);
+  ASSERT_EQ(in_shell(folder, "mkfifo pipe.obj").code, 0);
   const auto piped = folder.run("synth flat -o pipe.obj");
   EXPECT_EQ(piped.code, 1);
   EXPECT_THAT(piped.err, HasSubstr("pipe.obj"));
