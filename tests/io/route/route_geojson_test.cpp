@@ -49,7 +49,8 @@ TEST(RouteGeojson, LegsAreCutAt180DegreesAndReadAsOneRoute) {
   const Route route = changing();
   const std::string text = route_geojson(route, frame);
   std::size_t parts = 0;
-  for (const json& feature : json::parse(text).at("features")) {
+  const json written = json::parse(text);
+  for (const json& feature : written.at("features")) {
     double low = 400.0, high = -400.0;
     for (const json& p : feature.at("geometry").at("coordinates")) {
       low = std::min(low, p.at(0).get<double>());
