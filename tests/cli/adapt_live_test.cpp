@@ -370,7 +370,7 @@ TEST(AdaptStudy, RefusesWhatItDoesNotUse) {
 TEST(AdaptStudy, QualityLeavesTheOptimumOutWhereSwathsAreTooNarrowForIt) {
   const auto folder = scratch("study-narrow");
   const auto outcome =
-      run("quality study --width 300 --length 300 --swath 5 --missions 1 --quiet -o " +
+      run("quality study --width 300 --length 300 --swath 2 --missions 1 --quiet -o " +
           folder.string());
   ASSERT_EQ(outcome.code, 0) << outcome.lines.at(0);
   const std::string csv = contents(folder / "quality.csv");

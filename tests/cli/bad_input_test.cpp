@@ -76,7 +76,7 @@ TEST(BadSeafloor, NothingToSurvey) {
   folder.write("points.obj", "v 0 0 -5\nv 10 0 -5\nv 0 10 -5\n");
   expect_refusal(folder, plan("points.obj"), 1, {"points.obj", "face"});
   folder.write("sheet.obj", "v 0 0 -5\nv 10 0 -5\nv 10 0 -9\nv 0 0 -9\nf 1 2 3\nf 1 3 4\n");
-  expect_refusal(folder, plan("sheet.obj"), 1, {"sheet.obj", "vertical"});
+  expect_refusal(folder, plan("sheet.obj"), 1, {"sheet.obj", "looks y up"});
   folder.write("dry.asc", kGridHeader + "5 5 5\n5 5 5\n5 5 5\n");
   expect_refusal(folder, plan("dry.asc"), 1, {"dry.asc", "--z-positive"});
   folder.write("nodata.asc",

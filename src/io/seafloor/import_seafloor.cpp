@@ -156,8 +156,7 @@ bool looks_y_up(const SurfaceData& data) {
     const Vec3& a = data.vertices[f[0]];
     sum += (data.vertices[f[1]] - a).cross(data.vertices[f[2]] - a).cwiseAbs();
   }
-  // A sheet without any plan area is no seafloor, whichever way is up.
-  return sum.z() > 0.0 && sum.y() > 2.0 * std::max(sum.x(), sum.z());
+  return sum.y() > 2.0 * std::max(sum.x(), sum.z());
 }
 
 /// Turns a mesh z up, or asks which way it is up.

@@ -106,9 +106,8 @@ void write_seafloor(const std::filesystem::path& path, const Seafloor& seafloor)
   if (extension == ".obj") {
     write_text_atomically(path, obj_text(seafloor));
   } else if (extension == ".asc" || extension == ".tif") {
-    write_through_memory(path, [&](const std::string& part) {
-      write_grid(part, path.string(), seafloor);
-    });
+    write_through_memory(
+        path, [&](const std::string& part) { write_grid(part, path.string(), seafloor); });
   } else {
     throw UsageError(fmt::format("'{}': write a seafloor as .obj, .asc or .tif", path.string()));
   }

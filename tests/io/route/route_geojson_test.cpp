@@ -171,7 +171,7 @@ TEST(RouteGeojson, RefusesCollectionsWithoutEnd) {
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += R"({"type":"GeometryCollection","geometries":[)";
   for (int i = 0; i < 100000; ++i) deep += "]}";
-  EXPECT_THAT(geojson_refusal(deep), HasSubstr("nested too deeply"));
+  EXPECT_THAT(geojson_refusal(deep), HasSubstr("levels deep"));
 }
 
 TEST(RouteGeojson, RefusesWhatIsNoRoute) {

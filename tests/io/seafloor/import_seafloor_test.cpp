@@ -156,7 +156,7 @@ TEST_F(ImportSeafloor, RefusesWhatCannotBeUsed) {
   }
   EXPECT_THAT(says(write("up.xyz", rows(0, 0, 1, 1.0))), HasSubstr("<z positive> down"));
   EXPECT_THAT(says(write("v.obj", "v 0 0 -1\nv 1 0.1 -1\nv 3 0.3 -5\nf 1 2 3\n")),
-              HasSubstr("v.obj': the mesh is a vertical sheet"));
+              HasSubstr("looks y up"));
   const auto fine = write("f.xyz", rows(0, 0, 1, -1.0));
   EXPECT_THROW((void)import_seafloor(fine, {.crs = "EPSG:nothing"}), UsageError);
   EXPECT_THROW((void)import_seafloor(fine, {.z_unit_m = 0.0}), UsageError);
