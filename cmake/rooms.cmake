@@ -7,6 +7,7 @@
 #
 # USES are the room's arrows: headers of other rooms may not be included (tests/rooms_test.cpp holds
 # every file against them). FOREIGN libraries stay private: their headers appear in .cpp files only.
+# UNSANITIZED, behind the name, leaves a room without sanitizers (docs/decisions/0007-sanitizers.md).
 define_property(GLOBAL PROPERTY SWATHPLAN_ROOMS
   BRIEF_DOCS "Lines 'room: room room ...' of all arrows that were declared")
 define_property(GLOBAL PROPERTY SWATHPLAN_LIBRARIES BRIEF_DOCS "The targets of all rooms of src/")
@@ -24,7 +25,7 @@ function(swathplan_arrows room)
 endfunction()
 
 function(swathplan_room room)
-  cmake_parse_arguments(ARG "" "" "USES;FOREIGN;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "UNSANITIZED" "" "USES;FOREIGN;SOURCES" ${ARGN})
   swathplan_arrows(${room} ${ARG_USES})
   swathplan_room_target(target ${room})
   add_library(${target} STATIC ${ARG_SOURCES})
@@ -40,6 +41,7 @@ function(swathplan_room room)
   string(REPLACE swathplan_ "" exported ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${exported})
   set_property(GLOBAL APPEND PROPERTY SWATHPLAN_LIBRARIES ${target})
+  set_target_properties(${target} PROPERTIES SWATHPLAN_UNSANITIZED ${ARG_UNSANITIZED})
   swathplan_unity(${target})
 endfunction()
 
