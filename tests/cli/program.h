@@ -63,9 +63,9 @@ class Folder {
   [[nodiscard]] Run run_in(const std::string& directory, const std::string& arguments) const {
     const std::string out = (path() / ".out").string();
     const std::string err = (path() / ".err").string();
-    const std::string command =
-        "cd '" + directory + "' && timeout 60 '" SWATHPLAN_PROGRAM "' " +
-        with_profile(arguments) + " >'" + out + "' 2>'" + err + "' </dev/null";
+    const std::string command = "cd '" + directory + "' && timeout 60 '" SWATHPLAN_PROGRAM "' " +
+                                with_profile(arguments) + " >'" + out + "' 2>'" + err +
+                                "' </dev/null";
     const int status = std::system(command.c_str());
     Run result;
     result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;

@@ -204,7 +204,8 @@ TEST(Lines, WriteARouteAPictureAndFiguresThatAgree) {
   ASSERT_EQ(
       folder.run("synth tilted --width 600 --height 400 --depth 20 --slope 2 -o slope.asc").code,
       0);
-  const auto run = folder.run("lines slope.asc --method straight,edge-following --draft 0 --clearance 0.05 -o out");
+  const auto run = folder.run(
+      "lines slope.asc --method straight,edge-following --draft 0 --clearance 0.05 -o out");
   ASSERT_EQ(run.code, 0) << run.err;
   const json all = json_of(folder / "out" / "lines.json");
   ASSERT_EQ(all.at("methods").size(), 2U);

@@ -15,7 +15,7 @@ namespace swathplan {
 [[nodiscard]] Plan plan_fewest_hours(const Ground& ground, const PlanOptions& options);
 
 /// Logged coverage that a plan is to reach where none is asked for, per cent.
-inline constexpr double kUsualGoal = 99.0;
+inline constexpr double kUsualGoal = 98.0;
 /// The same where several soundings a cell are wanted, as S-44's annex has it for five.
 inline constexpr double kUsualGoalSeveral = 95.0;
 

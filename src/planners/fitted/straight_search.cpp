@@ -20,8 +20,8 @@ constexpr double kLineShares[] = {1.0, 0.85, 0.7, 1.15};
 /// The direction with the least metres of line is the yardstick. Directions that ask for more than
 /// this many times as much are left out.
 constexpr double kLongest = 1.3;
-/// Plans with less coverage than this are not varied, %, where others reach it and no length or time
-/// is set.
+/// Plans with less coverage than this are not varied, %, where others reach it and no length or
+/// time is set.
 constexpr double kLeastUsefulPct = 70.0;
 
 std::vector<double> directions(const LineWorkshop& shop) {
