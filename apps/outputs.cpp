@@ -143,10 +143,14 @@ std::string choices_table(const Plan& plan) {
   for (std::size_t i = 0; i < plan.choices.size(); ++i) {
     const Outcome& o = plan.choices[i];
     text += fmt::format(
-        "{} {:>6.2f} % {}{} over {:>7.0f} m ({:.2f} ideal lengths, {}{}): {}\n",
-        i == plan.chosen ? '*' : ' ', expected_cover_pct(o), name(o.cover),
+        "{} {:>6.2f} % {}{} over {:>7.0f} m ({}, {}{}): {}\n", i == plan.chosen ? '*' : ' ',
+        expected_cover_pct(o), name(o.cover),
         o.whole_cover_pct ? fmt::format(" ({:.2f} % without the margin)", o.cover_pct) : "",
-        o.length_m, o.length_ratio, counted(o.turns, "turn"),
+        o.length_m,
+        o.hours_ratio
+            ? fmt::format("{:.2f} h, {:.2f} times the least", o.duration_s / 3600.0, *o.hours_ratio)
+            : fmt::format("{:.2f} ideal lengths", o.length_ratio),
+        counted(o.turns, "turn"),
         o.infeasible_legs > 0 ? fmt::format(", {} infeasible", o.infeasible_legs) : "", o.what);
   }
   return text;

@@ -25,6 +25,8 @@ struct Outcome {
   /// Cells covered by whole swaths, %. Set where `cover_pct` counts only what a margin leaves of
   /// them.
   std::optional<double> whole_cover_pct = {};
+  /// Hours over the least hours of the area (area_rate.h). Set by planners that save hours.
+  std::optional<double> hours_ratio = {};
 };
 /// What the plan covers if all goes well, %: whole swaths.
 [[nodiscard]] double expected_cover_pct(const Outcome& outcome);

@@ -36,6 +36,8 @@ constexpr std::size_t kHoursFinalists = 4;
 /// Where lines stop short of the goal, each point of coverage that is missing takes about this
 /// share of the hours: passes over gaps are shorter than lines and have as many turns.
 constexpr double kHoursOfPoint = 0.1;
+/// Beyond the goal a point of coverage is still worth this share of the hours.
+constexpr double kHoursBeyondGoal = 0.01;
 /// Lines run on this share of their swath beyond the area, and are then cut back to where they
 /// still cover some of it.
 constexpr double kHoursRunOn = 0.6;
@@ -306,7 +308,8 @@ class HoursSearch {
     const double detour = kHoursDetourRadii * options_.vehicle.turn_radius_m /
                           options_.vehicle.turn_speed_mps / 3600.0;
     const double missing = std::max(0.0, goal_ - o.cover_pct);
-    return hours(o) * (1.0 + kHoursOfPoint * missing) +
+    const double empty = std::max(0.0, 100.0 - o.cover_pct);
+    return hours(o) * (1.0 + kHoursOfPoint * missing + kHoursBeyondGoal * empty) +
            detour * static_cast<double>(o.infeasible_legs);
   }
 
@@ -420,7 +423,7 @@ class HoursSearch {
 
   void judge_in_full(Tried& tried) {
     tried.outcome = shop_.judge(tried.built.route, 1, tried.outcome.what);
-    tried.outcome.length_ratio = hours(tried.outcome) / std::max(least_h_, 1e-12);
+    tried.outcome.hours_ratio = hours(tried.outcome) / std::max(least_h_, 1e-12);
     finished_.push_back(tried);
   }
 
@@ -484,9 +487,10 @@ class HoursSearch {
                                        limit)};
     }
     if (reaches(*best)) {
-      return {index, fmt::format("the fewest hours with at least {:.4g} % of the cells covered by "
-                                 "logged lines",
-                                 goal_)};
+      return {index,
+              fmt::format("the fewest hours whose logged lines cover at least {:.4g} % of the "
+                          "cells; a point more counts {:g} % of the hours",
+                          goal_, 100.0 * kHoursBeyondGoal)};
     }
     return {index, fmt::format(
                        "no plan that was tried reaches {:.4g} %: this one has {}", goal_,
