@@ -28,6 +28,9 @@ constexpr double kHoursRaysOfSearch = 1.5e8;
 /// One candidate's judgement should not cost more than this many.
 constexpr double kHoursRaysOfOne = 3e6;
 constexpr int kHoursCoarsest = 6;
+/// Where one exact score takes the better part of a minute, one plan alone is finished.
+constexpr double kHoursRaysOfHuge = 4e8, kHoursRaysOfOneHuge = 1.5e7;
+constexpr int kHoursCoarsestOfHuge = 12;
 constexpr int kHoursFewest = 14, kHoursMost = 36;
 constexpr std::size_t kHoursWalls = 3;
 constexpr double kHoursDirectionStepDeg = 15.0;
@@ -164,9 +167,12 @@ class HoursSearch {
 
   void plan_the_budget() {
     const double path = least_line_m(shop_.raster(), width(1.0, 0.1)) * 1.2;
-    const double rays = path / shop_.mean_ping_spacing_m() * options_.sonar.beams;
-    while (coarse_ < kHoursCoarsest && rays / (coarse_ * coarse_) > kHoursRaysOfOne) ++coarse_;
-    const double each = rays / (coarse_ * coarse_);
+    rays_ = path / shop_.mean_ping_spacing_m() * options_.sonar.beams;
+    while (coarse_ < kHoursCoarsest && rays_ / (coarse_ * coarse_) > kHoursRaysOfOne) ++coarse_;
+    while (coarse_ < kHoursCoarsestOfHuge && rays_ / (coarse_ * coarse_) > kHoursRaysOfOneHuge) {
+      ++coarse_;
+    }
+    const double each = rays_ / (coarse_ * coarse_);
     budget_ = std::clamp(static_cast<int>(kHoursRaysOfSearch / std::max(each, 1.0)), kHoursFewest,
                          kHoursMost);
   }
@@ -421,10 +427,13 @@ class HoursSearch {
 
   // --- the best in full
 
-  void judge_in_full(Tried& tried) {
-    tried.outcome = shop_.judge(tried.built.route, 1, tried.outcome.what);
+  /// Returns what the route covers.
+  CoverageGrid judge_in_full(Tried& tried) {
+    ScoredRoute scored = shop_.score(tried.built.route);
+    tried.outcome = shop_.judge(scored, tried.outcome.what);
     tried.outcome.hours_ratio = hours(tried.outcome) / std::max(least_h_, 1e-12);
     finished_.push_back(tried);
+    return std::move(scored.grid);
   }
 
   void finish_the_best() {
@@ -433,27 +442,26 @@ class HoursSearch {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return cost_h(pool_[a].outcome) < cost_h(pool_[b].outcome);
     });
-    const std::size_t finalists = coarse_ >= 4 ? 2 : kHoursFinalists;
+    const std::size_t finalists = rays_ > kHoursRaysOfHuge ? 1 : coarse_ >= 4 ? 2 : kHoursFinalists;
     for (std::size_t k = 0; k < std::min(finalists, order.size()); ++k) {
       Tried tried = std::move(pool_[order[k]]);
-      judge_in_full(tried);
-      fill_in(tried);
+      fill_in(tried, judge_in_full(tried));
     }
   }
 
-  void fill_in(const Tried& base) {
+  void fill_in(const Tried& base, CoverageGrid grid) {
     Tried now = base;
     std::size_t passes = 0;
     for (const double gain : kHoursGains) {
       if (now.outcome.cover_pct >= goal_) return;
-      const CoverageGrid grid = shop_.score(now.built.route).grid;
       InfilledRoute filled = with_infill(now.built.route, grid, shop_, {.least_gain = gain});
       if (filled.passes == 0) continue;
       passes += filled.passes;
       now.built = std::move(filled.built);
       now.outcome.what =
           fmt::format("{}, {}", base.outcome.what, counted(passes, "infill pass", "infill passes"));
-      judge_in_full(now);
+      grid = judge_in_full(now);
+      if (rays_ > kHoursRaysOfHuge && gain == kHoursGains[1]) return;
     }
   }
 
@@ -534,6 +542,7 @@ class HoursSearch {
   double deepest_ = 0.0;
   double least_h_ = 0.0;  ///< hours that no plan can go under
   double swath_m_ = 0.0;  ///< a narrow swath of the area
+  double rays_ = 0.0;     ///< of one plan, about
   int coarse_ = 1, budget_ = kHoursFewest;
   std::map<std::pair<double, double>, std::vector<float>> widths_;
   std::map<std::tuple<double, double, bool>, Site> sites_;

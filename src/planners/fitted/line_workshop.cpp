@@ -185,7 +185,10 @@ bool LineWorkshop::covered(const CoverageGrid& grid, std::size_t i) const {
 }
 
 Outcome LineWorkshop::judge(const Route& route, int coarse, std::string what) const {
-  const ScoredRoute scored = this->score(route, coarse);
+  return judge(score(route, coarse), std::move(what));
+}
+
+Outcome LineWorkshop::judge(const ScoredRoute& scored, std::string what) const {
   const Score& score = scored.score;
   Outcome outcome;
   outcome.length_m = score.route.length_m;

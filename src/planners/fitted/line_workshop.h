@@ -65,6 +65,8 @@ class LineWorkshop {
   /// Whether cell i of a scored grid is covered, as the options count it.
   [[nodiscard]] bool covered(const CoverageGrid& grid, std::size_t i) const;
   [[nodiscard]] Outcome judge(const Route& route, int coarse, std::string what) const;
+  /// The same of a route that is scored already.
+  [[nodiscard]] Outcome judge(const ScoredRoute& scored, std::string what) const;
 
   static constexpr double kLineClearance = 0.05;
 
