@@ -12,6 +12,8 @@
 #include "mesh/base/error.h"
 #include "planners/fitted/edge_following.h"
 #include "planners/fitted/fitted_lines.h"
+#include "planners/fronts/rate_width.h"
+#include "planners/fronts/water_raster.h"
 #include "planners/nuc/mdnuc.h"
 #include "planners/nuc/nuc.h"
 #include "planners/rows/back_and_forth.h"
@@ -81,6 +83,18 @@ Sonar counted_on(const Site& site, const Survey& survey, std::vector<std::string
   return narrowed;
 }
 
+/// The fewest hours of the site, by the depths of its cells.
+double fewest_hours(const Ground& ground, const PlanOptions& options) {
+  const WaterRaster raster(ground);
+  const double cell_m2 = raster.cell_m() * raster.cell_m();
+  std::vector<DepthArea> places;
+  for (std::size_t i = 0; i < raster.size(); ++i) {
+    if (!raster.in_area(i)) continue;
+    places.push_back({raster.depth(i) - options.vehicle.draft_m, cell_m2});
+  }
+  return least_hours(rate_question(options), places).hours;
+}
+
 }  // namespace
 
 void note_reach(Site& site, const Survey& survey) {
@@ -127,6 +141,7 @@ Scorer::Scorer(const Site& site, const Survey& survey, bool quiet)
   // A site that cannot be scored is refused before any planner works for it.
   static_cast<void>(grid_size(site.survey_area, survey.scoring.resolution_m));
   check_scale(site, survey);
+  least_hours_ = fewest_hours(ground_, survey.planning);
   if (survey.judging) {
     judge_.emplace(ground_, *survey.judging->criterion, survey.judging->budget,
                    survey.judging->how);
@@ -137,7 +152,9 @@ ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
   ProgressBar bar(label, quiet_);
   ScoreOptions options = survey_->scoring;
   options.progress = [&](double share, std::uint64_t rays) { bar.show(share, rays); };
-  return swathplan::score(route, ground_, survey_->sonar, survey_->vehicle, options);
+  ScoredRoute scored = swathplan::score(route, ground_, survey_->sonar, survey_->vehicle, options);
+  scored.score.least_hours = least_hours_;
+  return scored;
 }
 
 std::optional<JudgedSurvey> Scorer::judge(const std::string& label, const Route& route) const {

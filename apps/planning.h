@@ -57,6 +57,7 @@ class Scorer {
   RayScene scene_;
   Ground ground_;
   std::optional<SurveyJudge> judge_;
+  double least_hours_ = 0.0;
   bool quiet_;
 };
 

@@ -48,6 +48,9 @@ struct Score {
   double survey_area_m2 = 0.0;
   double footprint_width_m = 0.0;  ///< W
   RouteFigures route;
+  /// Hours that no plan of the area can go under (standards/area_rate.h). score() leaves it empty:
+  /// who scores several routes of a site works it out once.
+  std::optional<double> least_hours;
   Holidays holidays;  ///< of all pings
 };
 

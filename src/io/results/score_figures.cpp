@@ -79,6 +79,13 @@ void add_route(Json& json, const RouteFigures& route) {
   json["min_under_keel_m"] = route.min_under_keel_m;
 }
 
+void add_hours(Json& json, const Score& score) {
+  json["least_hours"] = number_or_null(score.least_hours);
+  const bool known = score.least_hours && *score.least_hours > 0.0;
+  json["hours_ratio"] =
+      known ? Json(score.route.duration_s / 3600.0 / *score.least_hours) : Json(nullptr);
+}
+
 void add_holidays(Json& json, const Holidays& holidays) {
   json["holidays"] = holidays.count;
   json["largest_holiday_m2"] = holidays.largest_m2;
@@ -98,6 +105,7 @@ nlohmann::ordered_json score_figures(const Score& score) {
   Json json = Json::object();
   add_coverage(json, score);
   add_route(json, score.route);
+  add_hours(json, score);
   add_holidays(json, score.holidays);
   return json;
 }
