@@ -83,18 +83,6 @@ Sonar counted_on(const Site& site, const Survey& survey, std::vector<std::string
   return narrowed;
 }
 
-/// The fewest hours of the site, by the depths of its cells.
-double fewest_hours(const Ground& ground, const PlanOptions& options) {
-  const WaterRaster raster(ground);
-  const double cell_m2 = raster.cell_m() * raster.cell_m();
-  std::vector<DepthArea> places;
-  for (std::size_t i = 0; i < raster.size(); ++i) {
-    if (!raster.in_area(i)) continue;
-    places.push_back({raster.depth(i) - options.vehicle.draft_m, cell_m2});
-  }
-  return least_hours(rate_question(options), places).hours;
-}
-
 }  // namespace
 
 void note_reach(Site& site, const Survey& survey) {
@@ -141,7 +129,7 @@ Scorer::Scorer(const Site& site, const Survey& survey, bool quiet)
   // A site that cannot be scored is refused before any planner works for it.
   static_cast<void>(grid_size(site.survey_area, survey.scoring.resolution_m));
   check_scale(site, survey);
-  least_hours_ = fewest_hours(ground_, survey.planning);
+  least_hours_ = least_hours(WaterRaster(ground_), survey.planning);
   if (survey.judging) {
     judge_.emplace(ground_, *survey.judging->criterion, survey.judging->budget,
                    survey.judging->how);

@@ -81,14 +81,7 @@ class HoursSearch {
  public:
   HoursSearch(const Ground& ground, const PlanOptions& options)
       : options_(options), shop_(ground, options), goal_(goal_of(options)) {
-    const double cell = shop_.raster().cell_m() * shop_.raster().cell_m();
-    std::vector<DepthArea> places;
-    for (std::size_t i = 0; i < shop_.raster().size(); ++i) {
-      if (!shop_.raster().in_area(i)) continue;
-      places.push_back({shop_.raster().depth(i) - options.vehicle.draft_m, cell});
-      deepest_ = std::max(deepest_, shop_.raster().depth(i));
-    }
-    least_h_ = least_hours(rate_question(options), places).hours;
+    least_h_ = least_hours(shop_.raster(), options);
     goal_ *= coverable();
     walls_ = walls_without_room(ground.survey_area, AreaQuery(ground.water),
                                 2.0 * options.vehicle.turn_radius_m, shop_.raster().cell_m());
@@ -538,8 +531,7 @@ class HoursSearch {
 
   const PlanOptions& options_;
   LineWorkshop shop_;
-  double goal_;  ///< per cent of the cells
-  double deepest_ = 0.0;
+  double goal_;           ///< per cent of the cells
   double least_h_ = 0.0;  ///< hours that no plan can go under
   double swath_m_ = 0.0;  ///< a narrow swath of the area
   double rays_ = 0.0;     ///< of one plan, about

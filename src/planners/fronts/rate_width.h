@@ -12,6 +12,9 @@ namespace swathplan {
 /// pings stand so much farther apart than a cell while as many soundings fall on the ground.
 [[nodiscard]] RateQuestion rate_question(const PlanOptions& options, double stretch = 1.0);
 
+/// The least hours of the area (area_rate.h), by the depths of its cells.
+[[nodiscard]] double least_hours(const WaterRaster& raster, const PlanOptions& options);
+
 /// The swath of every cell of the area that surveys it fastest, metres; 0 outside. Where no fan
 /// serves, it is the widest whose beams stand no farther apart than a cell. `overlap`: the share of
 /// it that neighbours have in common, [0, 1).
