@@ -184,7 +184,7 @@ void run(const LinesCommand& c) {
     std::string unserved;
     const std::string left_out =
         write_lines(c.output.folder / name, designed, *site, judge, vehicle, exports, c, unserved);
-    if (!unserved.empty()) unserved = name + ": " + unserved;
+    if (!unserved.empty()) unserved.insert(0, name + ": ");
     json["methods"].push_back(figures_json(name, designed));
     json["methods"].back()["exports_left_out"] =
         left_out.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(left_out);

@@ -12,7 +12,7 @@ planners=back-and-forth,multi-depth,nuc,mdnuc
 row() {  # name, file, options...
   local name=$1 file=$2
   shift 2
-  "$program" compare "$file" --planners "$planners" -o "$out" "$@" 2>/dev/null |
+  "$program" compare "$file" --profile paper --planners "$planners" -o "$out" "$@" 2>/dev/null |
     awk -v name="$name" '/^(B&F|MDB&F|NUC|MDNUC) / { row = row sprintf(" | %.1f [%.2f]", $2, $6); outside += $10 }
       END { printf "| %s%s | %.1f |\n", name, row, outside }'
 }

@@ -36,11 +36,11 @@ row() {  # name, true seafloor, the same as a grid, reserve, options...
   local name=$1 file=$2 grid=$3 reserve=$4
   shift 4
   local line="| $name, $reserve"
-  local plan=("$program" plan --hit-only --quiet -o "$out/plan" "$@")
+  local plan=("$program" plan --profile paper --hit-only --quiet -o "$out/plan" "$@")
   [[ $reserve == *calm ]] && plan+=(--noise calm)
   [[ $reserve == [0-9]* ]] && plan+=(--line-margin "${reserve%+calm}")
   scored() {  # on the true seafloor, further options
-    "$program" score "$file" "$out/plan/route.csv" --quiet -o "$out/score" "$@" >/dev/null
+    "$program" score "$file" "$out/plan/route.csv" --profile paper --quiet -o "$out/score" "$@" >/dev/null
     line+=" | $(figures "$out/score/score.json")"
   }
   "${plan[@]}" "$file" >/dev/null

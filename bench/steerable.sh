@@ -15,7 +15,7 @@ one() {
   local planner=$1 file=$2 format=$3
   shift 3
   local TIMEFORMAT=%U
-  { time "$program" plan "$file" --planner "$planner" -o "$out" --hit-only --quiet "$@" >/dev/null 2>&1; } 2>"$out.cpu"
+  { time "$program" plan "$file" --planner "$planner" -o "$out" --profile paper --hit-only --quiet "$@" >/dev/null 2>&1; } 2>"$out.cpu"
   python3 -c 'import json, re, sys
 s = json.load(open(sys.argv[1] + "/score.json"))
 p = json.load(open(sys.argv[1] + "/plan.json"))
@@ -43,7 +43,7 @@ noise_row() {  # name, file, options...
   for planner in $planners; do
     one "$planner" "$file" '{coverage_hit_pct:.1f} [{length_ratio:.2f}]' "$@"
     for noise in calm rough; do
-      "$program" score "$file" "$out/route.csv" --hit-only --noise $noise --json 2>/dev/null |
+      "$program" score "$file" "$out/route.csv" --profile paper --hit-only --noise $noise --json 2>/dev/null |
         python3 -c 'import json, sys; print(", %.1f" % json.load(sys.stdin)["coverage_hit_pct"], end="")'
     done
   done

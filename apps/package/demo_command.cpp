@@ -22,7 +22,7 @@ constexpr const char* kPlanners = "back-and-forth,multi-depth,mdnuc";
 /// unpacked package works in any folder.
 std::filesystem::path sample(const std::string& name) {
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  const std::filesystem::path file =
+  std::filesystem::path file =
       (program.parent_path() / SWATHPLAN_SAMPLES / name).lexically_normal();
   if (!std::filesystem::exists(file)) {
     throw InvalidInput(

@@ -20,8 +20,7 @@ std::vector<std::uint32_t> lines_of_legs(const Route& route) {
 TracedPingReader::TracedPingReader(const Route& route, const RayScene& scene, const Sonar& sonar,
                                    double draft_m, const ScoreOptions& scoring,
                                    const CoverageGrid& grid)
-    : route_(&route),
-      sonar_(&sonar),
+    : sonar_(&sonar),
       timing_(scoring.pings),
       tracer_(scene, sonar, draft_m, grid, Bands{}, false, scoring.swath_share),
       walker_(route, sonar, scoring.pings, scoring.noise),

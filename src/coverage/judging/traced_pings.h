@@ -29,7 +29,6 @@ class TracedPingReader {
   [[nodiscard]] double progress() const { return walker_.progress(); }
 
  private:
-  const Route* route_;
   const Sonar* sonar_;
   PingTiming timing_;
   PingTracer tracer_;

@@ -36,7 +36,7 @@ class AcceptedBeams {
  public:
   AcceptedBeams(const Criterion& criterion, const UncertaintyModel& model, const Sonar& sonar,
                 double depth, double draft, double speed)
-      : criterion_(criterion), model_(model), sonar_(sonar), depth_(depth), speed_(speed) {
+      : model_(model), sonar_(sonar), depth_(depth), speed_(speed) {
     tvu_limit_ = tvu_limit_m(criterion, depth + draft);
     thu_limit_ = thu_limit_m(criterion, depth + draft);
     if (const std::optional<double> cube = feature_m(criterion, depth + draft)) {
@@ -54,7 +54,6 @@ class AcceptedBeams {
   }
 
  private:
-  const Criterion& criterion_;
   const UncertaintyModel& model_;
   const Sonar& sonar_;
   double depth_, speed_, tvu_limit_, thu_limit_;

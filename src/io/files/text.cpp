@@ -44,7 +44,7 @@ std::string read_text(const std::filesystem::path& path) {
     throw InvalidInput(
         fmt::format("cannot read '{}': check the name and the permissions", path.string()));
   }
-  const std::string text = std::filesystem::is_regular_file(path, error)
+  std::string text = std::filesystem::is_regular_file(path, error)
                                ? std::string{std::istreambuf_iterator<char>(in), {}}
                                : streamed(in, path);
   if (trim(text).empty()) throw InvalidInput(fmt::format("'{}' is empty", path.string()));

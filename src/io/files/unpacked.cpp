@@ -92,7 +92,7 @@ std::vector<std::string> unpack_all(const std::string& source, const fs::path& f
   std::size_t total = 0;
   for (char** entry = list.get(); entry != nullptr && *entry != nullptr; ++entry) {
     const std::string name = *entry;
-    const std::string inner = source + "/" + name;
+    const std::string inner = fmt::format("{}/{}", source, name);
     VSIStatBufL status;
     if (VSIStatL(inner.c_str(), &status) != 0 || VSI_ISDIR(status.st_mode)) continue;
     if (!is_safe(name) || names.size() >= kMostFiles) {
@@ -175,7 +175,7 @@ fs::path unpack(const fs::path& packed, const fs::path& folder, const std::strin
   if (packing == Packing::gzip) {
     // GDAL would else note the size in a file beside the packed one.
     const CPLConfigOptionSetter no_notes("CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO", false);
-    const fs::path target = folder / packed.filename().stem();
+    fs::path target = folder / packed.filename().stem();
     copy_out("/vsigzip/" + whole, target, kMostBytes, packed);
     return target;
   }

@@ -147,7 +147,7 @@ std::string name_of(const OGRFeature& feature) {
   for (const char* field : {"name", "title", "label", "id"}) {
     const int at = feature.GetFieldIndex(field);  // in any case
     if (at >= 0 && feature.IsFieldSetAndNotNull(at) != 0) {
-      const std::string text = feature.GetFieldAsString(at);
+      std::string text = feature.GetFieldAsString(at);
       if (!text.empty()) return text;
     }
   }

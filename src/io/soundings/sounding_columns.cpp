@@ -392,7 +392,7 @@ std::vector<std::string_view> split_row(std::string_view row, char separator) {
 }
 
 std::vector<std::string_view> split_header(std::string_view header, char separator) {
-  const std::vector<std::string_view> fields = split_row(header, separator);
+  std::vector<std::string_view> fields = split_row(header, separator);
   if (separator != ' ') return fields;
   std::vector<std::string_view> names;
   for (const std::string_view field : fields) {

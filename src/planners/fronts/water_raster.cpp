@@ -51,8 +51,9 @@ std::optional<std::size_t> WaterRaster::cell_at(const Vec2& p) const {
 }
 
 Vec2 WaterRaster::centre(std::size_t i) const {
-  return origin_ + cell_ * Vec2(static_cast<double>(i % columns_) + 0.5,
-                                static_cast<double>(i / columns_) + 0.5);
+  const std::size_t row = i / columns_;
+  const std::size_t column = i % columns_;
+  return origin_ + cell_ * Vec2(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
 }
 
 WaterRaster WaterRaster::only(const std::vector<char>& keep) const {

@@ -222,7 +222,7 @@ bool takes_over(const SmoothedCurve& later, const SmoothedCurve& best) {
 }
 
 Connection JoinSmoother::join(const std::vector<Vec2>& before, const std::vector<Vec2>& after) {
-  const Connection plain = connector_.join(before, after);
+  Connection plain = connector_.join(before, after);
   if (plain.kind == JoinKind::infeasible) return plain;
   if (bends_of(LinePoses(plain.points), 0.0).empty()) return plain;
   Connection best;

@@ -357,7 +357,7 @@ Connection Connector::join(const std::vector<Vec2>& before, const std::vector<Ve
   const auto to = impl_->sides(after, true, impl_->options);
   if (auto found = impl_->by_curve(from, to, impl_->search)) return *found;
   const auto found = impl_->by_search(from, to);
-  const Connection join = found ? *found : impl_->infeasible(before.back(), after.front());
+  Connection join = found ? *found : impl_->infeasible(before.back(), after.front());
   impl_->joins.emplace(std::move(key), join);
   return join;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kCourses = 24;
 /// Arcs of the lattice turn by this much: every second course.
-constexpr double kArc = 2.0 * std::numbers::pi / (kCourses / 2);
+constexpr double kArc = 2.0 * (2.0 * std::numbers::pi / kCourses);
 /// Straights of the lattice, in lengths of an arc.
 constexpr double kStraights[] = {1.0, 4.0};
 /// A Dubins path to the goal is tried from every pose nearer than this (radii), and from each

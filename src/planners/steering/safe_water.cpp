@@ -35,8 +35,9 @@ SafeWater::SafeWater(const Area& area) : outline_(area) {
 }
 
 Vec2 SafeWater::centre(std::size_t cell) const {
-  return origin_ + cell_ * Vec2(static_cast<double>(cell % columns_) + 0.5,
-                                static_cast<double>(cell / columns_) + 0.5);
+  const std::size_t row = cell / columns_;
+  const std::size_t column = cell % columns_;
+  return origin_ + cell_ * Vec2(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
 }
 
 std::size_t SafeWater::cell_of(const Vec2& p) const {

@@ -57,10 +57,10 @@ std::optional<std::uint32_t> WaterPath::Impl::nearest_cell(const Vec2& p) const 
   const Vec2 at = (p - grid->origin()) / grid->resolution_m();
   const auto c0 = static_cast<std::int64_t>(std::floor(at.x()));
   const auto r0 = static_cast<std::int64_t>(std::floor(at.y()));
-  constexpr std::int64_t kReach = 60;
+  constexpr std::int64_t kRings = 60;
   std::optional<std::uint32_t> best;
   double best_distance = std::numeric_limits<double>::infinity();
-  for (std::int64_t ring = 0; ring <= kReach; ++ring) {
+  for (std::int64_t ring = 0; ring <= kRings; ++ring) {
     if (best && static_cast<double>(ring - 1) * grid->resolution_m() > best_distance) break;
     for (std::int64_t r = r0 - ring; r <= r0 + ring; ++r) {
       const bool whole_row = r == r0 - ring || r == r0 + ring;
@@ -89,10 +89,14 @@ std::vector<std::uint32_t> WaterPath::Impl::search(std::uint32_t from, std::uint
   std::vector<float> cost(cells, std::numeric_limits<float>::infinity());
   std::vector<std::uint32_t> before(cells, kNone);
   const auto to_c = static_cast<double>(to % columns);
-  const auto to_r = static_cast<double>(to / columns);
+  const auto row_of = [&](std::uint32_t i) {
+    const std::int64_t row = i / columns;
+    return static_cast<double>(row);
+  };
+  const double to_r = row_of(to);
   const auto heuristic = [&](std::uint32_t i) {
     const double dc = std::abs(static_cast<double>(i % columns) - to_c);
-    const double dr = std::abs(static_cast<double>(i / columns) - to_r);
+    const double dr = std::abs(row_of(i) - to_r);
     return static_cast<float>(std::max(dc, dr) + (std::sqrt(2.0) - 1.0) * std::min(dc, dr));
   };
   using Item = std::pair<float, std::uint32_t>;
