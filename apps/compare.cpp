@@ -7,6 +7,7 @@
 #include "apps/exports.h"
 #include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
+#include "apps/watch/terminal_watch.h"
 #include "io/files/atomic_file.h"
 #include "io/results/score_json.h"
 #include "mesh/base/error.h"
@@ -55,9 +56,11 @@ void run(const CompareCommand& command) {
   if (chosen.empty()) throw UsageError("--planners: name at least one planner");
   const Survey how = survey_of(command.survey);
   const ExportOptions exports = export_options(command.exports);
-  const auto site = load_site(command.site, how.vehicle);
+  TerminalWatch watch(command.output.quiet, command.output.folder);
+  const auto site = load_site(command.site, how.vehicle, Watch(watch));
   check_export_crs(exports.formats, site->seafloor().frame);
   note_reach(*site, how);
+  watch.rest();
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
   const Provenance provenance = provenance_of(command, how, site->imported.input_hash);
@@ -68,6 +71,8 @@ void run(const CompareCommand& command) {
   std::vector<PlannedSurvey> surveys;
   auto json = nlohmann::ordered_json::array();
   const auto write_overview = [&] {
+    watch.phase("writing the comparison");
+    const auto writing = watch.writing();
     write_all_or_none(folder, [&](const std::filesystem::path& staging) {
       write_text_atomically(staging / "compare.json", json.dump(2) + "\n");
       write_survey_report(staging / "report.html", command.site.file.filename().string(), surveys,
@@ -75,24 +80,34 @@ void run(const CompareCommand& command) {
     });
   };
   {
-    const Scorer scorer(*site, how, command.output.quiet);
+    const Scorer scorer(*site, how, Watch(watch));
+    watch.search();
     for (const Planner* p : chosen) {
+      if (watch.ended() && !surveys.empty()) {
+        leave_out(*p, InvalidInput("the search ended early"), *site, surveys, false);
+        continue;
+      }
       // The last planner usually takes longest. If it is stopped, the others still have a page.
       if (p == chosen.back() && !surveys.empty()) write_overview();
+      watch.under(p->label);
       try {
         surveys.push_back(plan_and_score(*p, *site, how, scorer));
       } catch (const InvalidInput& e) {
+        watch.rest();
         leave_out(*p, e, *site, surveys, surveys.empty() && p == chosen.back());
         continue;
       }
       const PlannedSurvey& survey = surveys.back();
       const std::filesystem::path own = folder / survey.record.planner;
       WrittenExports exported;
+      watch.phase("writing results");
+      const auto writing = watch.writing();
       write_all_or_none(own, [&](const std::filesystem::path& staging) {
         write_survey(staging, survey, *site, provenance);
         exported = write_exports(staging, survey.plan.route, *site, exports);
         remove_old_survey(own, *site);
       });
+      watch.rest();
       print_exports(std::move(exported.files), own, survey.plan.route, command.output.quiet);
       json.push_back(nlohmann::ordered_json::parse(
           score_json(survey.record.planner, survey.scored.score, provenance)));
@@ -102,7 +117,9 @@ void run(const CompareCommand& command) {
       if (!command.output.quiet) fmt::print(stderr, "{}", choices_table(survey.plan));
     }
   }
+  watch.under({});
   write_overview();  // with the notes on planners that were left out
+  watch.rest();
   if (command.output.json) {
     fmt::print("{}\n", json.dump(2));
   } else if (!command.output.quiet) {

@@ -5,6 +5,7 @@
 
 #include "apps/commands.h"
 #include "apps/survey.h"
+#include "apps/watch/terminal_watch.h"
 #include "io/results/provenance_json.h"
 #include "io/seafloor/inspection.h"
 
@@ -17,7 +18,10 @@ Command inspect_command() {
           "What is in a seafloor file: extent, CRS, depths, mesh health, suggested settings",
           joined({site_options(*site), {flag("--json", "", *json, "Print as JSON", "")}}),
           [site, json] {
+            TerminalWatch watch(false);
+            watch.phase(fmt::format("reading {}", site->file.filename().string()));
             const ImportedSeafloor imported = import_seafloor(site->file, import_options(*site));
+            watch.rest();
             if (*json) {
               fmt::print("{}", in_flags(json_text(inspection_json(imported))));
             } else {

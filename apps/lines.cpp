@@ -8,6 +8,7 @@
 #include "apps/exports.h"
 #include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
+#include "apps/watch/terminal_watch.h"
 #include "io/files/atomic_file.h"
 #include "io/pictures/lines_png.h"
 #include "io/results/provenance_json.h"
@@ -141,6 +142,12 @@ std::string write_lines(const std::filesystem::path& folder, const DesignedLines
   return exported.why;
 }
 
+/// Says that the search was ended; empty if it was not.
+std::string ended_note(const std::string& method, const DesignedLines& d) {
+  if (!d.ended_early) return {};
+  return fmt::format("{}: search ended early: these are the best lines of those tried", method);
+}
+
 /// Says what a small --missed costs; empty where lines lie about as far apart as was asked for.
 std::string overlap_note(const std::string& method, const DesignedLines& d, const LinesCommand& c) {
   constexpr double kMuchPct = 50.0;
@@ -160,7 +167,9 @@ void run(const LinesCommand& c) {
   for (const std::string& name : c.methods) static_cast<void>(method_of(name));
   const ExportOptions exports = export_options(c.exports);
   const Vehicle vehicle = vehicle_of(c.vehicle);
-  const auto site = load_site(c.site, vehicle);
+  TerminalWatch watch(c.output.quiet, c.output.folder);
+  const auto site = load_site(c.site, vehicle, Watch(watch));
+  watch.rest();
   check_export_crs(exports.formats, site->seafloor().frame);
   options.grid_north = Angle::degrees(site->imported.convergence_deg);
   if (c.heading_deg) options.heading = grid_heading(*c.heading_deg, c.north, site->imported);
@@ -168,6 +177,7 @@ void run(const LinesCommand& c) {
   check_folder(c.output.folder);
   const Ground planning = site->ground(nullptr);
   const Angle opening = Angle::degrees(c.opening_deg);
+  watch.phase("measuring swaths");
   const DesignGround search(planning, opening, vehicle.draft_m, kSearchCells);
   const DesignGround judge(planning, opening, vehicle.draft_m, kJudgeCells);
   const Provenance provenance = provenance_of(c, vehicle, site->imported.input_hash);
@@ -178,10 +188,20 @@ void run(const LinesCommand& c) {
       fmt::format("{:<15} {:>6} {:>6} {:>11} {:>8} {:>9} {:>9}  {}\n", "method", "lines", "passes",
                   "length [m]", "ratio", "missed %", "overlap %", "how");
   std::string notes;
+  watch.search();
   for (const std::string& name : c.methods) {
+    if (watch.ended() && !json["methods"].empty()) {
+      notes += fmt::format("note: {} is left out: the search ended early\n", name);
+      continue;
+    }
     options.method = method_of(name);
+    watch.under(name);
+    options.watch = Watch(watch);
+    options.watch.phase("laying lines");
     const DesignedLines designed = design_lines(planning, search, judge, options);
     std::string unserved;
+    watch.phase("writing results");
+    const auto writing = watch.writing();
     const std::string left_out =
         write_lines(c.output.folder / name, designed, *site, judge, vehicle, exports, c, unserved);
     if (!unserved.empty()) unserved.insert(0, name + ": ");
@@ -190,13 +210,16 @@ void run(const LinesCommand& c) {
         left_out.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(left_out);
     json["methods"].back()["notes"] = nlohmann::ordered_json::array();
     table += row(name, designed);
-    for (const std::string& note : {missed_note(name, designed, 100.0 * options.most_missed),
-                                    overlap_note(name, designed, c), unserved}) {
+    for (const std::string& note :
+         {missed_note(name, designed, 100.0 * options.most_missed), overlap_note(name, designed, c),
+          unserved, ended_note(name, designed)}) {
       if (note.empty()) continue;
       json["methods"].back()["notes"].push_back(note);
       notes += fmt::format("note: {}\n", note);
     }
   }
+  watch.rest();
+  const auto writing = watch.writing();
   write_text_atomically(c.output.folder / "lines.json", json_text(json));
   write_survey_toml(c.output.folder, provenance);
   if (c.output.json) {

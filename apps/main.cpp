@@ -10,12 +10,14 @@
 #include "apps/outlets/streams.h"
 #include "mesh/base/allocator.h"
 #include "mesh/base/error.h"
+#include "mesh/base/watch.h"
 
 namespace {
 
 constexpr int kDataError = 1;
 constexpr int kUsageError = 2;
 constexpr int kPredictedToFail = 3;
+constexpr int kEnded = 130;
 
 int complain(const std::string& what, int code) {
   fmt::print(stderr, "swathplan: {}\n", what);
@@ -59,6 +61,8 @@ int main(int argc, char** argv) {
     return complain(swathplan::in_flags(e), kUsageError);
   } catch (const swathplan::PredictedToFail& e) {
     return complain(e.what(), kPredictedToFail);
+  } catch (const swathplan::EndedEarly& e) {
+    return complain(e.what(), kEnded);
   } catch (const std::bad_alloc&) {
     return complain("not enough memory; use a coarser --resolution or a smaller --area",
                     kDataError);

@@ -6,6 +6,7 @@
 #include "apps/exports.h"
 #include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
+#include "apps/watch/terminal_watch.h"
 #include "io/results/score_json.h"
 
 namespace swathplan {
@@ -42,15 +43,18 @@ void run(const PlanCommand& command) {
   const Planner& chosen = planner(command.planner);
   const Survey survey = survey_of(command.survey);
   const ExportOptions exports = export_options(command.exports);
-  const auto site = load_site(command.site, survey.vehicle);
+  TerminalWatch watch(command.output.quiet, command.output.folder);
+  const auto site = load_site(command.site, survey.vehicle, Watch(watch));
   check_export_crs(exports.formats, site->seafloor().frame);
   note_reach(*site, survey);
+  watch.rest();
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
   const Provenance provenance = provenance_of(command, survey, site->imported.input_hash);
   std::vector<PlannedSurvey> surveys;
   {
-    const Scorer scorer(*site, survey, command.output.quiet);
+    const Scorer scorer(*site, survey, Watch(watch));
+    watch.search();
     surveys.push_back(plan_and_score(chosen, *site, survey, scorer));
   }
   const std::filesystem::path& folder = command.output.folder;
@@ -58,6 +62,8 @@ void run(const PlanCommand& command) {
   const std::string title =
       fmt::format("{}: {}", command.site.file.filename().string(), chosen.label);
   WrittenExports exported;
+  watch.phase("writing results");
+  const auto writing = watch.writing();
   write_all_or_none(folder, [&](const std::filesystem::path& staging) {
     write_survey(staging, surveys[0], *site, provenance);
     write_survey_toml(staging, provenance);
@@ -65,6 +71,7 @@ void run(const PlanCommand& command) {
     write_survey_report(staging / "report.html", title, surveys, *site, provenance);
     remove_old_survey(folder, *site);
   });
+  watch.rest();
   print_exports(std::move(exported.files), folder, route, command.output.quiet);
   for (const std::string& note : surveys[0].plan.notes) {
     if (!command.output.quiet) fmt::print(stderr, "note: {}\n", note);

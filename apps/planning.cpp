@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "apps/progress.h"
 #include "coverage/standards/criterion_fan.h"
 #include "io/files/crs.h"
 #include "mesh/base/error.h"
@@ -121,14 +120,15 @@ const Planner& planner(const std::string& name) {
       fmt::format("'{}' is not a planner; choose one of {}", name, fmt::join(names, ", ")));
 }
 
-Scorer::Scorer(const Site& site, const Survey& survey, bool quiet)
+Scorer::Scorer(const Site& site, const Survey& survey, Watch watch)
     : survey_(&survey),
       scene_(site.seafloor(), survey.scoring.nodata),
       ground_(site.ground(&scene_)),
-      quiet_(quiet) {
+      watch_(std::move(watch)) {
   // A site that cannot be scored is refused before any planner works for it.
   static_cast<void>(grid_size(site.survey_area, survey.scoring.resolution_m));
   check_scale(site, survey);
+  watch_.phase("working out the least hours of the site");
   least_hours_ = least_hours(WaterRaster(ground_), survey.planning);
   if (survey.judging) {
     judge_.emplace(ground_, *survey.judging->criterion, survey.judging->budget,
@@ -136,20 +136,20 @@ Scorer::Scorer(const Site& site, const Survey& survey, bool quiet)
   }
 }
 
-ScoredRoute Scorer::score(const std::string& label, const Route& route) const {
-  ProgressBar bar(label, quiet_);
+ScoredRoute Scorer::score(const std::string& phase, const Route& route) const {
+  watch_.phase(phase);
   ScoreOptions options = survey_->scoring;
-  options.progress = [&](double share, std::uint64_t rays) { bar.show(share, rays); };
+  options.progress = [&](double share, std::uint64_t) { watch_.share(share); };
   ScoredRoute scored = swathplan::score(route, ground_, survey_->sonar, survey_->vehicle, options);
   scored.score.least_hours = least_hours_;
   return scored;
 }
 
-std::optional<JudgedSurvey> Scorer::judge(const std::string& label, const Route& route) const {
+std::optional<JudgedSurvey> Scorer::judge(const std::string& phase, const Route& route) const {
   if (!judge_) return std::nullopt;
-  ProgressBar bar(label, quiet_);
+  watch_.phase(phase);
   ScoreOptions options = survey_->scoring;
-  options.progress = [&](double share, std::uint64_t rays) { bar.show(share, rays); };
+  options.progress = [&](double share, std::uint64_t) { watch_.share(share); };
   return judge_->judge(route, survey_->sonar, survey_->vehicle, options);
 }
 
@@ -184,6 +184,9 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
   PlanOptions how = planning_in(survey, site.imported);
   std::vector<std::string> notes;
   how.sonar = counted_on(site, survey, notes);
+  how.watch = scorer.watch();
+  if (how.smooth) how.smooth->watch = how.watch;
+  how.watch.phase("laying lines");
   Plan plan = planner.plan(scorer.ground(), how);
   plan.notes.insert(plan.notes.end(), notes.begin(), notes.end());
   if (how.start && !contains(site.water, *how.start) && !plan.route.waypoints.empty()) {
@@ -209,12 +212,12 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
                                      azimuth_text(plan.heading->deg(), how.grid_north.deg())));
   }
   const double planning = seconds_since(start);
-  ScoredRoute scored = scorer.score(planner.label, plan.route);
+  ScoredRoute scored = scorer.score("scoring", plan.route);
   note_endurance(scored.score.route, how.vehicle, plan.notes);
   PlannedSurvey planned =
       recorded(planner.name, planner.label, std::move(plan), std::move(scored), site, survey);
   planned.planning_seconds = planning;
-  planned.judged = scorer.judge("judge", planned.plan.route);
+  planned.judged = scorer.judge("judging by the criterion", planned.plan.route);
   return planned;
 }
 

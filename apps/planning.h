@@ -7,6 +7,7 @@
 #include "coverage/judging/judged_survey.h"
 #include "coverage/score.h"
 #include "io/results/plan_record.h"
+#include "mesh/base/watch.h"
 #include "planners/plan.h"
 
 namespace swathplan {
@@ -43,13 +44,15 @@ void note_reach(Site& site, const Survey& survey);
 /// SurveyJudge.
 class Scorer {
  public:
-  Scorer(const Site& site, const Survey& survey, bool quiet);
+  Scorer(const Site& site, const Survey& survey, Watch watch);
   Scorer(const Scorer&) = delete;  // its ground points to its scene
   Scorer& operator=(const Scorer&) = delete;
   [[nodiscard]] const Ground& ground() const { return ground_; }
-  [[nodiscard]] ScoredRoute score(const std::string& label, const Route& route) const;
+  [[nodiscard]] const Watch& watch() const { return watch_; }
+  /// `phase` is what the watch is told.
+  [[nodiscard]] ScoredRoute score(const std::string& phase, const Route& route) const;
   /// By the survey's criterion; empty if it has none.
-  [[nodiscard]] std::optional<JudgedSurvey> judge(const std::string& label,
+  [[nodiscard]] std::optional<JudgedSurvey> judge(const std::string& phase,
                                                   const Route& route) const;
 
  private:
@@ -58,7 +61,7 @@ class Scorer {
   Ground ground_;
   std::optional<SurveyJudge> judge_;
   double least_hours_ = 0.0;
-  bool quiet_;
+  Watch watch_;
 };
 
 /// Adds a note if the route runs on where the sonar reaches no data.

@@ -5,6 +5,7 @@
 #include "apps/commands.h"
 #include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
+#include "apps/watch/terminal_watch.h"
 #include "io/files/lonlat.h"
 #include "io/results/score_json.h"
 #include "io/route/read_route.h"
@@ -97,12 +98,18 @@ void check_meets_data(const Route& route, const Site& site, const std::filesyste
 
 /// The route with extra passes over its gaps.
 Plan with_passes(const Plan& plan, const Survey& survey, const Scorer& scorer) {
-  InfilledRoute filled = infilled(plan.route, scorer.ground(), survey.planning);
+  PlanOptions how = survey.planning;
+  how.watch = scorer.watch();
+  how.watch.phase("adding infill passes");
+  InfilledRoute filled = infilled(plan.route, scorer.ground(), how);
   Plan result;
   result.route = std::move(filled.built.route);
   result.notes = std::move(filled.built.notes);
   result.notes.push_back(
       fmt::format("{} added", counted(filled.passes, "infill pass was", "infill passes were")));
+  if (how.watch.ended()) {
+    result.notes.push_back("search ended early: gaps that were not looked at yet stay");
+  }
   return result;
 }
 
@@ -121,7 +128,9 @@ void print_notes(const std::vector<PlannedSurvey>& surveys) {
 void run(const ScoreCommand& command) {
   const Survey survey = survey_of(command.survey);
   const Vehicle& vehicle = survey.vehicle;
-  const auto site = load_site(command.site, vehicle);
+  TerminalWatch watch(command.output.quiet, command.output.folder);
+  const auto site = load_site(command.site, vehicle, Watch(watch));
+  watch.rest();
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
   const Provenance provenance = provenance_of(command, survey, site->imported.input_hash);
@@ -133,24 +142,27 @@ void run(const ScoreCommand& command) {
   plan.route = route.route;
   if (route.fan_note) plan.notes.push_back(*route.fan_note);
   plan.notes.insert(plan.notes.end(), route.notes.begin(), route.notes.end());
-  const Scorer scorer(*site, survey, command.output.quiet);
-  ScoredRoute scored = scorer.score("score", plan.route);
+  const Scorer scorer(*site, survey, Watch(watch));
+  ScoredRoute scored = scorer.score("scoring", plan.route);
   note_beyond_data(scored.score, plan.notes);
   note_endurance(scored.score.route, vehicle, plan.notes);
   std::vector<PlannedSurvey> surveys;
   const std::string name = command.route.filename().string();
   std::optional<Plan> filled;
+  if (command.infill) watch.search();
   if (command.infill) filled = with_passes(plan, survey, scorer);
   surveys.push_back(recorded("given", name, std::move(plan), std::move(scored), *site, survey));
-  surveys[0].judged = scorer.judge("judge", surveys[0].plan.route);
+  surveys[0].judged = scorer.judge("judging by the criterion", surveys[0].plan.route);
   const std::filesystem::path& folder = command.output.folder;
   if (filled) {
-    ScoredRoute again = scorer.score("infill", filled->route);
+    ScoredRoute again = scorer.score("scoring with infill", filled->route);
     note_endurance(again.score.route, vehicle, filled->notes);
     surveys.push_back(recorded("infill", name + " + infill", std::move(*filled), std::move(again),
                                *site, survey));
-    surveys[1].judged = scorer.judge("judge infill", surveys[1].plan.route);
+    surveys[1].judged = scorer.judge("judging with infill", surveys[1].plan.route);
   }
+  watch.phase("writing results");
+  const auto writing = watch.writing();
   write_all_or_none(folder, [&](const std::filesystem::path& staging) {
     if (filled) write_survey(staging / "infill", surveys[1], *site, provenance);
     write_survey(staging, surveys[0], *site, provenance);
@@ -161,6 +173,7 @@ void run(const ScoreCommand& command) {
     if (filled) remove_old_survey(folder / "infill", *site);
     remove_old_survey(folder, *site);
   });
+  watch.rest();
   if (!command.output.quiet) print_notes(surveys);
   if (command.output.json) {
     // With infill, --json prints the figures of the new route.

@@ -162,9 +162,12 @@ std::string unserved_note(const Site& site, const Route& route) {
                      site.parts.size(), names.size() == 1 ? "has" : "have", fmt::join(names, "; "));
 }
 
-std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehicle) {
+std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehicle,
+                                const Watch& watch) {
   auto site = std::make_unique<Site>();
+  watch.phase(fmt::format("reading {}", options.file.filename().string()));
   site->imported = import_seafloor(options.file, import_options(options));
+  watch.phase("working out areas and safe water");
   site->depths = std::make_unique<DepthQuery>(site->seafloor());
   SurveyAreaOptions bounds;
   bounds.safe_depth_m = safe_depth_m(vehicle);

@@ -4,6 +4,7 @@
 
 #include "apps/survey.h"
 #include "io/seafloor/area_import.h"
+#include "mesh/base/watch.h"
 
 namespace swathplan {
 
@@ -31,6 +32,7 @@ struct Site {
 
 /// Imports the seafloor and the polygons and derives the areas for a vehicle.
 /// @throws InvalidInput, UsageError as the importers do.
-[[nodiscard]] std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehicle);
+[[nodiscard]] std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehicle,
+                                              const Watch& watch = {});
 
 }  // namespace swathplan

@@ -130,7 +130,7 @@ void study_accordion(const AccordionCommand& c) {
        "worst_excess_tracks", "shorter_pct", "objects_not_seen_twice"},
       kAlphas.size() * kShares,
       [&](std::size_t cell) { return study_cell(c, base, cell); }};
-  const auto rows = run_study(s, c.output.folder, study_progress("accordion", c.output.quiet));
+  const auto rows = run_watched(s, c.output);
   write_chart_png(c.output.folder / (s.name + ".png"), study_chart(c.rule, rows));
   const std::string summary = study_summary(rows);
   write_text_atomically(c.output.folder / (s.name + ".txt"), summary);

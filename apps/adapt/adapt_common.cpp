@@ -1,7 +1,6 @@
 #include "apps/adapt/adapt_common.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
 #include "apps/planning.h"
+#include "apps/watch/terminal_watch.h"
 #include "io/files/atomic_file.h"
 #include "mesh/base/error.h"
 #include "mesh/plane/area_query.h"
@@ -185,14 +185,17 @@ void write_mission(const AdaptOutput& output, const MissionOutput& mission, cons
   json["notes"] = mission.notes;
   json["seed"] = mission.provenance.seed;
   json["version"] = mission.provenance.version;
-  const Scorer scorer(site, survey, output.quiet);
+  TerminalWatch watch(output.quiet, output.folder);
+  const Scorer scorer(site, survey, Watch(watch));
   Plan plan;
   plan.route = mission.route;
   plan.notes = mission.notes;
-  ScoredRoute scored = scorer.score(mission.label, plan.route);
+  ScoredRoute scored = scorer.score("scoring", plan.route);
   std::vector<PlannedSurvey> surveys;
   surveys.push_back(
       recorded(mission.planner, mission.label, std::move(plan), std::move(scored), site, survey));
+  watch.phase("writing results");
+  const auto writing = watch.writing();
   write_all_or_none(output.folder, [&](const std::filesystem::path& staging) {
     write_text_atomically(staging / "mission.json", json.dump(2) + "\n");
     write_tracks_png(staging / "tracks.png", mission.pictures);
@@ -201,6 +204,7 @@ void write_mission(const AdaptOutput& output, const MissionOutput& mission, cons
     write_survey_report(staging / "report.html", mission.label, surveys, site, mission.provenance);
     remove_old_survey(output.folder, site);
   });
+  watch.rest();
   if (output.json) {
     fmt::print("{}\n", json.dump(2));
   } else if (!output.quiet) {
@@ -224,12 +228,11 @@ void write_live_mission(const AdaptOutput& output, const MissionOutput& mission,
   write_flat_mission(silent, mission, box, range_m);
 }
 
-std::function<void(double)> study_progress(const std::string& label, bool quiet) {
-  if (quiet || isatty(STDERR_FILENO) == 0) return {};
-  return [label](double share) {
-    fmt::print(stderr, "\r\x1b[K{} {:3.0f} %{}", label, 100.0 * share, share < 1.0 ? "" : "\n");
-    std::fflush(stderr);
-  };
+std::vector<std::vector<double>> run_watched(const Study& study, const AdaptOutput& output) {
+  TerminalWatch watch(output.quiet, output.folder);
+  watch.search();
+  watch.phase("study " + study.name);
+  return run_study(study, output.folder, Watch(watch));
 }
 
 }  // namespace swathplan

@@ -13,6 +13,7 @@
 #include "apps/options.h"
 #include "apps/site.h"
 #include "io/pictures/adaptive_pictures.h"
+#include "io/results/adaptive_study.h"
 #include "planners/adaptive/survey_track.h"
 
 namespace swathplan {
@@ -85,7 +86,8 @@ void write_live_mission(const AdaptOutput& output, const MissionOutput& mission,
 /// --missions of a study.
 [[nodiscard]] Option missions_option(int& missions, const std::string& what);
 
-/// Progress of a study on stderr, where that is a terminal.
-[[nodiscard]] std::function<void(double)> study_progress(const std::string& label, bool quiet);
+/// run_study() into the output's folder, with what a terminal shows of it.
+[[nodiscard]] std::vector<std::vector<double>> run_watched(const Study& study,
+                                                           const AdaptOutput& output);
 
 }  // namespace swathplan

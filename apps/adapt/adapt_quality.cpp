@@ -213,7 +213,7 @@ void study(const QualityCommand& c) {
     s.columns.insert(s.columns.end(),
                      {n + "_tracks", n + "_travel_m", n + "_covered_pct", n + "_noisy_tracks"});
   }
-  const auto rows = run_study(s, c.output.folder, study_progress("quality", c.output.quiet));
+  const auto rows = run_watched(s, c.output);
   write_chart_png(c.output.folder / "quality.png", study_chart(rows, bins, optimum));
   if (c.output.quiet) return;
   if (!optimum) {

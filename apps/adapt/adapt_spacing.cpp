@@ -257,7 +257,7 @@ void study(const SpacingCommand& c) {
        "adaptive_mean_risk", "adaptive_worst_component"},
       kTrueRanges.size() * kStarts,
       [&](std::size_t cell) { return study_cell(c, cell, kStarts); }};
-  const auto rows = run_study(s, c.output.folder, study_progress("spacing", c.output.quiet));
+  const auto rows = run_watched(s, c.output);
   Chart chart{"Track spacing: worst component of the residual risk (dashed: control)",
               "range believed at the start, m",
               "",

@@ -114,7 +114,9 @@ constexpr const char* kExitStatus =
     ".SH EXIT STATUS\n"
     ".TP\n0\nThe command did its work.\n"
     ".TP\n1\nData cannot be used as they are. The message names the file and what to do.\n"
-    ".TP\n2\nAn option breaks its rule. The message names the option, its value and the rule.\n";
+    ".TP\n2\nAn option breaks its rule. The message names the option, its value and the rule.\n"
+    ".TP\n3\nThe survey is predicted to fail the criterion that it was required to pass.\n"
+    ".TP\n130\nCtrl-C stopped the work. A first one ends a search, whose best plan is kept.\n";
 
 std::string page_of(const NamedCommand& named, const std::string& version) {
   const std::string page = fmt::format("swathplan-{}", fmt::join(named.words, "-"));

@@ -140,6 +140,11 @@ Pick pick(const std::vector<Outcome>& outcomes, const PlanGoal& goal, double pri
           steerable ? "" : fmt::format(" and {:g} for each infeasible leg", kWorthPerInfeasible))};
 }
 
+std::string brief(const Outcome& outcome) {
+  return fmt::format("{:.2f} % in {:.2f} h, {:.0f} m", outcome.cover_pct,
+                     outcome.duration_s / 3600.0, outcome.length_m);
+}
+
 bool any(const PlanGoal& goal) { return goal.coverage_pct || goal.length_m || goal.time_s; }
 
 std::size_t pick_among(const std::vector<Outcome>& outcomes, const std::vector<std::size_t>& among,

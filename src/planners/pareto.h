@@ -30,6 +30,8 @@ struct Outcome {
 };
 /// What the plan covers if all goes well, %: whole swaths.
 [[nodiscard]] double expected_cover_pct(const Outcome& outcome);
+/// '98.20 % in 1.24 h, 6620 m'.
+[[nodiscard]] std::string brief(const Outcome& outcome);
 
 /// Indices of the outcomes that no other one beats, shortest first. One plan beats another if it is
 /// no longer, covers no less and has no more infeasible legs. Of equal outcomes the first one

@@ -9,6 +9,7 @@
 #include "coverage/route/route.h"
 #include "coverage/route/sonar.h"
 #include "coverage/route/vehicle.h"
+#include "mesh/base/watch.h"
 #include "mesh/planar/depth_regions.h"
 #include "mesh/planar/gates.h"
 #include "mesh/planar/planar_mesh.h"
@@ -94,6 +95,9 @@ struct PlanOptions {
   double least_line_m = 0.0;     ///< no line or infill pass is shorter
   double least_speed_mps = 0.5;  ///< lines are sailed no slower, (0, the vehicle's speed]
   double soundings = 1.0;        ///< wanted a cell, >= 1
+  /// Told how the search gets on. If it ends the search, the best plan finished by then is kept,
+  /// and a note says so. A planner goes on until it has one.
+  Watch watch = {};
 };
 
 /// The shortest line that is worth its turns: the larger of 20 m and four turn radii.

@@ -29,4 +29,9 @@ std::string azimuth_text(double grid_azimuth_deg, double grid_north_deg) {
                      axis(grid_azimuth_deg + grid_north_deg), axis(grid_azimuth_deg));
 }
 
+std::string ended_early_note(std::size_t tried, std::string_view one, std::string_view many) {
+  return fmt::format("search ended early: the best of the {} tried by then was kept",
+                     counted(tried, one, many));
+}
+
 }  // namespace swathplan

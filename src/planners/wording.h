@@ -17,4 +17,8 @@ namespace swathplan {
 /// is `grid_north_deg`, is not true north. Of lines sailed both ways.
 [[nodiscard]] std::string azimuth_text(double grid_azimuth_deg, double grid_north_deg);
 
+/// The note of a plan whose search was ended after `tried` candidates.
+[[nodiscard]] std::string ended_early_note(std::size_t tried, std::string_view one,
+                                           std::string_view many = {});
+
 }  // namespace swathplan

@@ -93,5 +93,13 @@ TEST(ParetoPick, ListsWhatLiesAboutTheGoal) {
   EXPECT_EQ(about_the_goal({}, {}, goal), List{});
 }
 
+TEST(Outcome, IsToldInALineOfATerminal) {
+  Outcome outcome;
+  outcome.cover_pct = 98.204;
+  outcome.duration_s = 4464.0;
+  outcome.length_m = 6620.4;
+  EXPECT_EQ(brief(outcome), "98.20 % in 1.24 h, 6620 m");
+}
+
 }  // namespace
 }  // namespace swathplan

@@ -77,6 +77,7 @@ void write_all(int file, char kind, const std::string& text) {
 /// The child's life. It must not return: what the parent registered for its end is not the child's.
 [[noreturn]] void live(const std::function<std::string()>& work, const ChildLimits& limits,
                        int answer) {
+  std::signal(SIGINT, SIG_DFL);  // the parent's handler tells nothing here
   limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.seconds)));
   limit(RLIMIT_CORE, 0);
   if (kLimitsMemory) limit(RLIMIT_AS, limits.memory_bytes);

@@ -92,7 +92,7 @@ std::string csv_of(const Study& study, const Rows& rows) {
 }  // namespace
 
 std::vector<std::vector<double>> run_study(const Study& study, const std::filesystem::path& folder,
-                                           const std::function<void(double)>& progress) {
+                                           const Watch& watch) {
   std::filesystem::create_directories(folder);
   const auto journal_path = folder / (study.name + ".journal");
   Rows rows = read_journal(journal_path, study);
@@ -104,6 +104,7 @@ std::vector<std::vector<double>> run_study(const Study& study, const std::filesy
   std::mutex mutex;
   std::size_t done = rows.size() - open.size();
   for_each_index(std::size_t{0}, open.size(), [&](std::size_t k) {
+    if (watch.ended()) return;
     std::vector<double> row = study.run(open[k]);
     const std::lock_guard lock(mutex);
     journal << line_of(open[k], row) << std::flush;
@@ -113,8 +114,14 @@ std::vector<std::vector<double>> run_study(const Study& study, const std::filesy
     }
     rows[open[k]] = std::move(row);
     ++done;
-    if (progress) progress(static_cast<double>(done) / static_cast<double>(rows.size()));
+    watch.share(static_cast<double>(done) / static_cast<double>(rows.size()));
   });
+  if (done < rows.size()) {
+    throw EndedEarly(fmt::format(
+        "ended early: {} of {} cells of the study are done and kept in '{}'; the same command goes "
+        "on from there",
+        done, rows.size(), journal_path.string()));
+  }
   write_text_atomically(folder / (study.name + ".csv"), csv_of(study, rows));
   return rows;
 }

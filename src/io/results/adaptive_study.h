@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "mesh/base/watch.h"
+
 namespace swathplan {
 
 /// A Monte Carlo study: a list of cells. Each cell gives one row of figures. The row does not
@@ -22,11 +24,11 @@ struct Study {
 /// Then it writes NAME.csv with all rows in the order of the cells. The same settings give the same
 /// bytes, however often the study was interrupted and on however many threads it ran. Each finished
 /// cell is appended to NAME.journal at once. If an interruption tore the last line, its cell is run
-/// again. `progress` is called with the share of cells done, from one thread at a time.
-/// @throws UsageError if the journal belongs to other settings; InvalidInput if a file cannot be
-/// written or the journal is no journal.
-[[nodiscard]] std::vector<std::vector<double>> run_study(
-    const Study& study, const std::filesystem::path& folder,
-    const std::function<void(double)>& progress);
+/// again. The watch is told the share of cells done. If it ends the study, no further cell begins.
+/// @throws EndedEarly then, with what is done and kept; UsageError if the journal belongs to other
+/// settings; InvalidInput if a file cannot be written or the journal is no journal.
+[[nodiscard]] std::vector<std::vector<double>> run_study(const Study& study,
+                                                         const std::filesystem::path& folder,
+                                                         const Watch& watch = {});
 
 }  // namespace swathplan

@@ -137,13 +137,21 @@ std::vector<SurveyCurve> pieces_from(const FieldWall& wall, const SweptGround& s
 }
 
 /// The lines of one of the separate waters. They start from the wall with the best score, or,
-/// without a scene, from the first one.
+/// without a scene, from the first one. `ended` tells whether walls were left out, since the watch
+/// ended the search.
 std::vector<SurveyCurve> lines_of_water(const Polygon& water, const SweptGround& swaths,
-                                        const std::vector<float>& width, LineWorkshop& shop) {
+                                        const std::vector<float>& width, LineWorkshop& shop,
+                                        bool& ended) {
   const double tolerance = kWallTolerance * footprint_width_m(shop.options());
   std::vector<SurveyCurve> best;
   double best_worth = 0.0;
+  const Watch& watch = shop.options().watch;
+  std::size_t tried = 0;
   for (const FieldWall& wall : long_walls({water}, tolerance, kWalls)) {
+    if (watch.ended() && !best.empty()) {
+      ended = true;
+      break;
+    }
     std::vector<SurveyCurve> lines = pieces_from(wall, swaths, shop);
     if (lines.empty()) continue;
     if (shop.ground().scene == nullptr) return lines;
@@ -153,6 +161,7 @@ std::vector<SurveyCurve> lines_of_water(const Polygon& water, const SweptGround&
       best = std::move(lines);
       best_worth = worth(outcome);
     }
+    watch.tried(++tried, kWalls, fmt::format("{:.1f} %", outcome.cover_pct));
   }
   return best;
 }
@@ -166,8 +175,14 @@ Plan plan_edge_following(const Ground& ground, const PlanOptions& options) {
   const SweptGround swaths(shop.raster(), width, options.vehicle.draft_m);
   std::vector<SurveyCurve> lines;
   Plan plan;
+  bool ended = false;
+  std::size_t number = 0;
   for (const Polygon& water : ground.survey_area) {
-    const auto here = lines_of_water(water, swaths, width, shop);
+    options.watch.phase(
+        ground.survey_area.size() == 1
+            ? "trying walls"
+            : fmt::format("trying walls of water {} of {}", ++number, ground.survey_area.size()));
+    const auto here = lines_of_water(water, swaths, width, shop, ended);
     lines.insert(lines.end(), here.begin(), here.end());
     if (here.empty()) {
       const Vec2 at = ground.seafloor->frame.to_file(inner_point({water}));
@@ -181,9 +196,13 @@ Plan plan_edge_following(const Ground& ground, const PlanOptions& options) {
         "edge-following: no survey line fits into the water of the survey area; check <area>, "
         "<no go> and the vehicle's draft and clearance");
   }
+  options.watch.phase("joining lines");
   BuiltRoute built = shop.with_smooth_joins(shop.build(lines, width, kAngles));
   plan.route = std::move(built.route);
   plan.notes.insert(plan.notes.end(), built.notes.begin(), built.notes.end());
+  if (ended) {
+    plan.notes.emplace_back("search ended early: not every wall was tried as the first line's");
+  }
   return plan;
 }
 

@@ -98,6 +98,7 @@ class HoursSearch {
   Plan run() {
     if (!(swath_m_ > 0.0)) throw InvalidInput(kHoursNoLines);
     plan_the_budget();
+    options_.watch.phase("searching");
     first_ways();
     vary_the_best();
     if (pool_.empty()) throw InvalidInput(kHoursNoLines);
@@ -312,7 +313,11 @@ class HoursSearch {
            detour * static_cast<double>(o.infeasible_legs);
   }
 
+  /// Whether the search is to end: with a candidate to keep.
+  [[nodiscard]] bool over() const { return options_.watch.ended() && !pool_.empty(); }
+
   bool try_way(const Way& way) {
+    if (over()) return false;
     if (std::find(known_.begin(), known_.end(), way) != known_.end()) return false;
     known_.push_back(way);
     const std::vector<SurveyCurve> curves = laid(way);
@@ -322,6 +327,8 @@ class HoursSearch {
     tried.outcome = shop_.judge(tried.built.route, coarse_, described(way));
     const bool better = pool_.empty() || cost_h(tried.outcome) < cost_h(pool_[best()].outcome);
     pool_.push_back(std::move(tried));
+    options_.watch.tried(pool_.size(), static_cast<std::size_t>(budget_),
+                         brief(pool_[best()].outcome));
     return better;
   }
 
@@ -377,7 +384,7 @@ class HoursSearch {
 
   void vary_the_best() {
     std::vector<Way> varied;
-    while (static_cast<int>(known_.size()) < budget_) {
+    while (static_cast<int>(known_.size()) < budget_ && !over()) {
       // The best that was not varied yet.
       std::optional<std::size_t> next;
       for (std::size_t i = 0; i < pool_.size(); ++i) {
@@ -426,6 +433,7 @@ class HoursSearch {
     tried.outcome = shop_.judge(scored, tried.outcome.what);
     tried.outcome.hours_ratio = hours(tried.outcome) / std::max(least_h_, 1e-12);
     finished_.push_back(tried);
+    options_.watch.tried(finished_.size(), 0, brief(tried.outcome));
     return std::move(scored.grid);
   }
 
@@ -436,7 +444,9 @@ class HoursSearch {
       return cost_h(pool_[a].outcome) < cost_h(pool_[b].outcome);
     });
     const std::size_t finalists = rays_ > kHoursRaysOfHuge ? 1 : coarse_ >= 4 ? 2 : kHoursFinalists;
+    options_.watch.phase("finishing the best");
     for (std::size_t k = 0; k < std::min(finalists, order.size()); ++k) {
+      if (k > 0 && options_.watch.ended()) break;
       Tried tried = std::move(pool_[order[k]]);
       fill_in(tried, judge_in_full(tried));
     }
@@ -446,7 +456,7 @@ class HoursSearch {
     Tried now = base;
     std::size_t passes = 0;
     for (const double gain : kHoursGains) {
-      if (now.outcome.cover_pct >= goal_) return;
+      if (now.outcome.cover_pct >= goal_ || options_.watch.ended()) return;
       InfilledRoute filled = with_infill(now.built.route, grid, shop_, {.least_gain = gain});
       if (filled.passes == 0) continue;
       passes += filled.passes;
@@ -521,6 +531,7 @@ class HoursSearch {
     plan.notes.push_back(fmt::format("of {}, {} was picked: {}",
                                      counted(plan.choices.size(), "choice"),
                                      plan.choices[pick.index].what, pick.why));
+    if (options_.watch.ended()) plan.notes.push_back(ended_early_note(pool_.size(), "plan"));
     return plan;
   }
   [[nodiscard]] double cost_of_steering(const Outcome& o) const {

@@ -62,9 +62,11 @@ class CurvedSearch {
     const double tolerance = 0.1 * footprint_width_m(shop_.options());
     std::vector<TriedLines> tried;
     int number = 0;
+    shop_.options().watch.phase("searching lines along fronts");
     for (const FieldWall& wall : long_walls(shop_.ground().survey_area, tolerance, kFieldWalls)) {
       ++number;
       for (const double spacing : kFieldSpacings) {
+        if (over(tried)) break;
         add(field_lines(shop_.raster(), width_, shop_.lines_in(), wall, tolerance,
                         {.spacing = spacing * counted_, .smooth_passes = passes_}),
             fmt::format("field lines from wall {}, {:.2f} swaths apart", number, spacing), tried);
@@ -92,7 +94,9 @@ class CurvedSearch {
                     shop_.raster(), width_, shop_.lines_in()),
           describe(sections), tried);
     };
+    shop_.options().watch.phase("searching lines along banks");
     for (const double share : kChannelShares) {
+      if (over(tried)) break;
       const double density = share / counted_;
       add_lines(sections_of(*banks, between, density));
       const double even = std::max(1.0, std::round(density * between.mean_swaths));
@@ -115,11 +119,18 @@ class CurvedSearch {
     if (lines.empty()) return;
     Outcome outcome = shop_.estimate(lines, width_, kFieldAngles, budget_.coarse, what);
     tried.push_back({std::move(outcome), std::move(lines)});
+    shop_.options().watch.tried(tried.size(), 0, brief(tried.back().outcome));
+  }
+
+  /// Whether the search is to end: with a candidate to keep.
+  [[nodiscard]] bool over(const std::vector<TriedLines>& tried) const {
+    return shop_.options().watch.ended() && !tried.empty();
   }
 
   [[nodiscard]] std::vector<JudgedLines> built_and_judged(const std::vector<TriedLines>& tried) {
     std::vector<JudgedLines> plans;
     for (const TriedLines& t : tried) {
+      if (!plans.empty() && shop_.options().watch.ended()) break;
       plans.push_back({shop_.build(t.lines, width_, kFieldAngles), {}});
       plans.back().outcome = shop_.judge(plans.back().built.route, 1, t.outcome.what);
     }

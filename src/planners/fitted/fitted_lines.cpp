@@ -115,10 +115,16 @@ void infill_best(std::vector<JudgedLines>& plans, LineWorkshop& shop) {
     if (std::find(best.begin(), best.end(), i) == best.end()) best.push_back(i);
   }
   if (huge && !best.empty()) best.resize(count);
+  const Watch& watch = shop.options().watch;
+  watch.phase("filling gaps");
+  std::size_t done = 0;
   for (const std::size_t i : best) {
+    if (watch.ended()) return;
+    watch.tried(done++, best.size(), {});
     const CoverageGrid grid = shop.score(plans[i].built.route).grid;
     std::size_t before = 0;
     for (const double gain : kInfillGains) {
+      if (watch.ended()) return;
       InfilledRoute filled = with_infill(plans[i].built.route, grid, shop, {.least_gain = gain});
       if (filled.passes == before) continue;
       before = filled.passes;
@@ -180,7 +186,8 @@ Plan plan_fitted_lines(const Ground& ground, const PlanOptions& options) {
       plans.push_back({std::move(j.built), std::move(j.outcome)});
     }
   }
-  if (options.lines != LineSource::straight) {
+  const bool enough = options.watch.ended() && !plans.empty();
+  if (options.lines != LineSource::straight && !enough) {
     for (JudgedLines& j : search_curved_lines(shop, budget_for(shop))) {
       plans.push_back(std::move(j));
     }
@@ -200,11 +207,13 @@ Plan plan_fitted_lines(const Ground& ground, const PlanOptions& options) {
   plan.chosen = picked.index;
   plan.chosen_why = picked.why;
   JudgedLines& best = plans[kept[picked.index]];
+  options.watch.phase("joining lines");
   BuiltRoute built = shop.with_smooth_joins(std::move(best.built));
   plan.route = std::move(built.route);
   plan.notes = std::move(built.notes);
   plan.notes.push_back(fmt::format("of {} choices, {} was picked: {}", plan.choices.size(),
                                    best.outcome.what, picked.why));
+  if (options.watch.ended()) plan.notes.push_back(ended_early_note(plans.size(), "finished plan"));
   return plan;
 }
 

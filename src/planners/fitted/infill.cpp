@@ -1,5 +1,7 @@
 #include "planners/fitted/infill.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -155,7 +157,8 @@ InfilledRoute with_infill(const Route& route, const CoverageGrid& grid, LineWork
     return std::max(0.0, itinerary.cheapest(pass).cost) + length_of(pass) - length_of(found);
   };
   InfilledRoute result;
-  while (result.passes < static_cast<std::size_t>(options.most_passes)) {
+  while (result.passes < static_cast<std::size_t>(options.most_passes) &&
+         !shop.options().watch.ended()) {
     const auto found = empty.take_best(detour);
     if (!found) break;
     const InfillPass pass = lengthened(*found, least);
@@ -188,13 +191,15 @@ InfilledRoute infilled(const Route& route, const Ground& ground, const PlanOptio
   LineWorkshop shop(ground, options);
   InfilledRoute result;
   result.built.route = route;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < rounds && !options.watch.ended(); ++round) {
     const ScoredRoute scored = shop.score(result.built.route);
     if (shop.cover_pct(scored) >= enough_pct) break;
     InfilledRoute more = with_infill(result.built.route, scored.grid, shop);
     if (more.passes == 0) break;
     more.passes += result.passes;
     result = std::move(more);
+    options.watch.tried(result.passes, 0,
+                        fmt::format("{:.2f} % before the last of them", shop.cover_pct(scored)));
   }
   if (result.passes > 0) result.built = shop.with_smooth_joins(std::move(result.built));
   return result;

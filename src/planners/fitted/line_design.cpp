@@ -89,7 +89,9 @@ class LineDesigner {
         candidates_.begin(), candidates_.end(),
         [&](const Candidate& a, const Candidate& b) { return better(a.figures, b.figures); });
     DesignedLines best;
+    options_.watch.phase("laying the best lines anew");
     for (std::size_t k = 0; k < std::min(kFinalists, candidates_.size()); ++k) {
+      if (over() && !best.lines.empty()) break;
       DesignedLines laid = laid_out(candidates_[k].recipe, judge);
       if (best.lines.empty() || better(laid.figures, best.figures)) best = std::move(laid);
     }
@@ -97,10 +99,14 @@ class LineDesigner {
       throw InvalidInput(
           "lines: no survey line fits into the water of the survey area; check <area> and <no go>");
     }
+    best.ended_early = over();
     return best;
   }
 
  private:
+  /// Whether the search is to end: with a candidate to keep.
+  [[nodiscard]] bool over() const { return options_.watch.ended() && !candidates_.empty(); }
+
   /// Lays out the lines of a recipe. They are carried on, swept and cut back to what brings
   /// something; then their gaps are closed.
   [[nodiscard]] DesignedLines laid_out(const Recipe& recipe, const SweptGround& ground) const {
@@ -150,6 +156,14 @@ class LineDesigner {
   void offer(Recipe recipe) {
     DesignedLines d = laid_out(recipe, ground_);
     if (!d.lines.empty()) candidates_.push_back({std::move(recipe), d.figures});
+    if (candidates_.empty()) return;
+    const LinesFigures& best =
+        std::min_element(candidates_.begin(), candidates_.end(), [&](const auto& a, const auto& b) {
+          return better(a.figures, b.figures);
+        })->figures;
+    options_.watch.tried(
+        candidates_.size(), 0,
+        fmt::format("{:.0f} m, {:.3f} % missed", best.length_m, 100.0 * best.missed));
   }
 
   // Straight lines ------------------------------------------------------------------------------
@@ -250,6 +264,7 @@ class LineDesigner {
   void straight() {
     for (const Angle azimuth : best_headings()) {
       for (const double percentile : kPercentiles) {
+        if (over()) return;
         const double swaths =
             row_widths(ground_.raster(), ground_.width(), azimuth, percentile).total();
         // The outer halves of the first and the last row need no overlap.
@@ -339,13 +354,17 @@ class LineDesigner {
     const std::vector<Source> sources = fronts();
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < sources.size(); ++i) {
+      if (over() || (options_.watch.ended() && !order.empty())) break;
       const LinesFigures f = laid_out(along(sources[i], 1.0, false), ground_).figures;
       if (f.lines > 0) order.emplace_back(f.ratio() + kMissedPrice * f.missed, i);
     }
     std::stable_sort(order.begin(), order.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t k = 0; k < std::min(kBestFronts, order.size()); ++k) {
-      for (const double spacing : kSpacings) offer(along(sources[order[k].second], spacing, true));
+      for (const double spacing : kSpacings) {
+        if (over()) return;
+        offer(along(sources[order[k].second], spacing, true));
+      }
     }
   }
 
@@ -353,6 +372,7 @@ class LineDesigner {
     const std::vector<FieldWall> all = walls();
     for (std::size_t w = 0; w < all.size(); ++w) {
       for (const double margin : kEdgeMargins) {
+        if (over()) return;
         if (margin > 0.0 && margin <= options_.overlap) continue;
         const double kept = std::max(margin, options_.overlap);
         offer({fmt::format("edge to edge from wall {}, margin {:.0f} %", w + 1, 100.0 * kept),

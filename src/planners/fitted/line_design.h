@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "mesh/base/watch.h"
 #include "planners/fronts/swept_lines.h"
 
 namespace swathplan {
@@ -22,6 +23,7 @@ struct LineDesignOptions {
   /// Of straight lines in the frame, as its grid counts it; empty: searched.
   std::optional<Angle> heading = {};
   Angle grid_north = {};  ///< true azimuth of the frame's north, for what is said of azimuths
+  Watch watch = {};       ///< if it ends the search, the best lines tried so far are taken
 };
 
 /// A seafloor with cells of one size, and the swaths of one opening angle over it.
@@ -43,8 +45,9 @@ void check(const LineDesignOptions& options);
 struct DesignedLines {
   std::vector<SweptLine> lines;
   LinesFigures figures;
-  std::size_t passes = 0;  ///< how many of the lines are short ones that close gaps
-  std::string what;        ///< how the lines were made, for people
+  std::size_t passes = 0;    ///< how many of the lines are short ones that close gaps
+  std::string what;          ///< how the lines were made, for people
+  bool ended_early = false;  ///< the watch ended the search
 };
 
 /// The shortest lines found that miss no more than `most_missed` of the survey area. Turns do not

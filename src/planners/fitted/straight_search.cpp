@@ -73,10 +73,11 @@ class Search {
       : shop_(shop), budget_(budget), price_(shop.price()) {}
 
   std::vector<JudgedCandidate> run() {
+    shop_.options().watch.phase("searching straight lines");
     first_candidates();
     // The goal may lie far from what is worth most, so every other variation is made for the goal.
     bool for_goal = false;
-    while (left() > 0) {
+    while (left() > 0 && !over()) {
       for_goal = !for_goal && any(goal());
       const std::size_t next = most_promising(for_goal);
       if (next == pool_.size()) break;
@@ -92,7 +93,7 @@ class Search {
   /// comes back to the other variations if this candidate is the most promising again.
   void vary(std::size_t base, const PlanGoal& goal) {
     for (const StraightCandidate& c : variations(pool_[base].candidate)) {
-      if (left() <= 0) return;
+      if (left() <= 0 || over()) return;
       const std::size_t before = pool_.size();
       judge(c);
       if (pool_.size() > before &&
@@ -104,15 +105,22 @@ class Search {
 
   [[nodiscard]] const PlanGoal& goal() const { return shop_.options().goal; }
   [[nodiscard]] bool has_budget() const { return goal().length_m || goal().time_s; }
+  /// Whether the search is to end: with a candidate to keep.
+  [[nodiscard]] bool over() const { return shop_.options().watch.ended() && !pool_.empty(); }
   [[nodiscard]] int left() const { return budget_.candidates - static_cast<int>(pool_.size()); }
 
   void judge(const StraightCandidate& c) {
-    if (c.lines < 1 || std::find(tried_.begin(), tried_.end(), c) != tried_.end()) return;
+    if (over() || c.lines < 1 || std::find(tried_.begin(), tried_.end(), c) != tried_.end()) return;
     tried_.push_back(c);
     const Outcome outcome = budget_.steered ? steered(c) : estimated(c);
     if (!(outcome.length_m > 0.0)) return;
     pool_.push_back({c, outcome, {}});
     varied_.push_back(0);
+    if (best_ == pool_.size() - 1 || worth(outcome, price_) > worth(pool_[best_].outcome, price_)) {
+      best_ = pool_.size() - 1;
+    }
+    shop_.options().watch.tried(pool_.size(), static_cast<std::size_t>(budget_.candidates),
+                                brief(pool_[best_].outcome));
   }
 
   /// Empty for a route that was judged before. On level ground many candidates give the same route.
@@ -255,10 +263,16 @@ class Search {
       });
       if (apart) list.push_back(pool_[i]);
     }
+    const Watch& watch = shop_.options().watch;
+    watch.phase("finishing the best straight lines");
+    std::size_t done = 0;
     for (JudgedCandidate& j : list) {
+      if (done > 0 && watch.ended()) break;
       j.built = build(j.candidate, shop_);
       j.outcome = shop_.judge(j.built.route, 1, j.outcome.what);
+      watch.tried(++done, list.size(), brief(j.outcome));
     }
+    list.resize(done);
     return list;
   }
 
@@ -276,7 +290,11 @@ class Search {
         prices_of[best].push_back(price);
       }
     }
-    for (const auto& [i, prices] : prices_of) add_blocked(finalists[i].candidate, prices, list);
+    shop_.options().watch.phase("mixing rows block by block");
+    for (const auto& [i, prices] : prices_of) {
+      if (over()) return;
+      add_blocked(finalists[i].candidate, prices, list);
+    }
   }
 
   void add_blocked(const StraightCandidate& base, const std::vector<double>& prices,
@@ -292,13 +310,16 @@ class Search {
       j.outcome = shop_.judge(j.built.route, 1, rows->outcome.what);
       list.push_back(std::move(j));
     };
-    for (const double price : prices) add(search.best_for(price));
+    for (const double price : prices) {
+      if (over()) return;
+      add(search.best_for(price));
+    }
     const std::vector<Outcome> ends = found;
     const std::vector<std::size_t> order = pareto_front(ends);
     for (std::size_t k = 0; k + 1 < order.size(); ++k) {
       const Outcome& shorter = ends[order[k]];
       const Outcome& longer = ends[order[k + 1]];
-      if (longer.length_ratio < kStraightGap * shorter.length_ratio) continue;
+      if (over() || longer.length_ratio < kStraightGap * shorter.length_ratio) continue;
       add(search.best_between(shorter, longer));
     }
   }
@@ -307,6 +328,7 @@ class Search {
   SearchBudget budget_;
   double price_;  ///< of an ideal length, in points of coverage
   std::vector<JudgedCandidate> pool_;
+  std::size_t best_ = 0;  ///< of the pool, for the watch
   std::vector<char> varied_;
   std::vector<StraightCandidate> tried_;
   std::set<std::size_t> routes_;

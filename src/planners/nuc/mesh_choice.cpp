@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planners/simulated.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
@@ -64,12 +65,24 @@ Plan best_mesh_plan(const Ground& ground, const PlanOptions& options,
   }
   const Area area = reachable_area(ground);
   std::vector<Candidate> tried = candidates(options.faces);
+  std::size_t done = 0;
+  std::string best_so_far;
+  double most_pct = -1.0;
+  options.watch.phase("trying meshes");
   for (Candidate& c : tried) {
+    if (done > 0 && options.watch.ended()) break;
     c.plan = plan_on(mesh_of(area, options, c.face_size * footprint_width_m(options),
                              Angle::degrees(c.turn_deg)),
                      connector);
     c.outcome = simulated_hits(c.plan.route, ground, options);
+    if (c.outcome.cover_pct > most_pct) {
+      most_pct = c.outcome.cover_pct;
+      best_so_far = brief(c.outcome);
+    }
+    options.watch.tried(++done, tried.size(), best_so_far);
   }
+  const bool ended = done < tried.size();
+  tried.resize(done);
   const double price = points_per_ratio(tried);
   const auto worth = [&](const Candidate& c) {
     return c.outcome.cover_pct - price * c.outcome.length_ratio;
@@ -81,6 +94,7 @@ Plan best_mesh_plan(const Ground& ground, const PlanOptions& options,
       "few faces fit into the area, so their place matters: of {} meshes the simulator chose the "
       "one with faces of {:.2f} W and its lattice turned by {:.0f} degrees",
       tried.size(), best->face_size, best->turn_deg));
+  if (ended) best->plan.notes.push_back(ended_early_note(done, "mesh", "meshes"));
   return std::move(best->plan);
 }
 

@@ -67,7 +67,11 @@ Plan best_placed(const Rows& rows, const Ground& ground, const PlanOptions& opti
   std::vector<Outcome> outcomes;
   std::vector<double> shifts;
   const std::size_t lines = lines_of(rows, options, 0.0).size();
+  options.watch.phase("placing rows");
+  bool ended = false;
   for (const double shift : kShifts) {
+    ended = options.watch.ended() && !plans.empty();
+    if (ended) break;
     const auto shifted = lines_of(rows, options, shift);
     if (shifted.size() < lines) continue;  // a row has left the area
     Plan plan = sailed(shifted, rows, ground, options);
@@ -75,12 +79,16 @@ Plan best_placed(const Rows& rows, const Ground& ground, const PlanOptions& opti
     outcomes.push_back(simulated_hits(plan.route, ground, options));
     plans.push_back(std::move(plan));
     shifts.push_back(shift * footprint_width_m(options));
+    options.watch.tried(plans.size(), kShifts.size(), brief(outcomes[pick(outcomes, {}).index]));
   }
   const std::size_t best = pick(outcomes, {}).index;
   plans[best].notes.push_back(
       fmt::format("few rows fit into the area, so their place matters: of {} the simulator chose "
                   "the one {:g} m from the centred rows",
                   counted(plans.size(), "placement"), shifts[best]));
+  if (ended) {
+    plans[best].notes.push_back(ended_early_note(plans.size(), "placement"));
+  }
   return std::move(plans[best]);
 }
 

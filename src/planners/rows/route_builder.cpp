@@ -81,6 +81,7 @@ double turn_reach_m(const PlanOptions& options) { return 2.0 * footprint_width_m
 RouteBuilder::RouteBuilder(const Ground& ground, const PlanOptions& options,
                            const Connector& connector)
     : connector_(connector),
+      watch_(options.watch),
       vehicle_(options.vehicle),
       run_in_(options.run_in_m),
       run_out_(options.run_out_m),
@@ -144,8 +145,10 @@ void RouteBuilder::add_run(std::vector<Waypoint>& line, double metres, bool in) 
 void RouteBuilder::join_to(std::vector<Waypoint>& line) {
   std::vector<Waypoint> before(route_.waypoints.begin() + static_cast<std::ptrdiff_t>(line_begin_),
                                route_.waypoints.end());
-  const Connection way = smoother_ ? smoother_->join(positions(before), positions(line))
-                                   : connector_.join(positions(before), positions(line));
+  const bool smooths = smoother_ && !watch_.ended();
+  if (smoother_ && !smooths) ++plain_joins_;
+  const Connection way = smooths ? smoother_->join(positions(before), positions(line))
+                                 : connector_.join(positions(before), positions(line));
   cut_end(before, way.off_before_m);
   cut_begin(line, way.off_after_m);
   const bool feasible = way.kind != JoinKind::infeasible;
@@ -200,6 +203,10 @@ std::vector<std::string> RouteBuilder::notes() const {
                               counted(tight_joins_ - kJoinsSaid, "more join")));
   }
   if (smoother_ && smoother_->tally().joins > 0) all.push_back(note(smoother_->tally()));
+  if (plain_joins_ > 0) {
+    all.push_back(fmt::format("search ended early: {} plain arcs",
+                              counted(plain_joins_, "join keeps its", "joins keep their")));
+  }
   if (loops_ > 0) {
     all.push_back(fmt::format(
         "{} of lines {} tighter than {:g} m, so the boat sails a loop there; all replaced turns "

@@ -29,7 +29,7 @@ struct BuiltRoute {
 /// through the water (connect.h): by a `turn` where the lines end within two footprint widths of
 /// each other, else by a `transit`. Both keep the fan of the line before and are not logged. Where
 /// no forward path was found, the join is marked `feasible = false`. With `options.smooth` the
-/// bends of joins are smoothed (join_smoothing.h).
+/// bends of joins are smoothed (join_smoothing.h), until the watch ends the search.
 class RouteBuilder {
  public:
   /// `connector` is that of this ground and vehicle and must outlive the builder.
@@ -61,13 +61,14 @@ class RouteBuilder {
 
   const Connector& connector_;
   std::optional<JoinSmoother> smoother_;
+  Watch watch_;
   Vehicle vehicle_;
   double run_in_, run_out_;
   double turn_reach_;
   Route route_;
   std::size_t line_begin_ = 0;  // of the last line in the route
   std::vector<std::string> notes_;
-  std::size_t tight_joins_ = 0, loops_ = 0, left_tight_ = 0, short_runs_ = 0;
+  std::size_t tight_joins_ = 0, plain_joins_ = 0, loops_ = 0, left_tight_ = 0, short_runs_ = 0;
   double loop_m_ = 0.0;
 };
 

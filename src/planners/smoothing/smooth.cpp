@@ -127,8 +127,12 @@ void solve_windows(const Samples& s, const std::vector<Vec2>& wanted,
   const std::size_t n = s.points.size();
   for (std::size_t from = 0; from < n;) {
     const std::size_t to = std::min(n, from + o.window);
-    const Window window(s, wanted, result.points, room, o, from, to);
-    const PathSolution solved = solved_by_ipopt(window.problem(), kMostSmoothIterations);
+    const PathSolution solved =
+        o.watch.ended()
+            ? PathSolution{"ended early", false, {}}
+            : solved_by_ipopt(Window(s, wanted, result.points, room, o, from, to).problem(),
+                              kMostSmoothIterations);
+    o.watch.share(static_cast<double>(to) / static_cast<double>(n));
     ++result.windows;
     ++result.status[solved.status];
     const std::size_t solved_to = to == n ? n : to - o.overlap;
@@ -171,7 +175,7 @@ SmoothResult smooth_path(const std::vector<Vec2>& skeleton, const SmoothOptions&
   std::vector<Vec2> wanted = s.points;
   if (o.pull && o.pull_rounds > 0) {
     const PathRelaxation relaxation(n, o.curvature_weight, o.deviation_weight);
-    for (int round = 0; round + 1 < o.pull_rounds; ++round) {
+    for (int round = 0; round + 1 < o.pull_rounds && !o.watch.ended(); ++round) {
       wanted = o.pull(result.points, result.along);
       result.points = relaxation.relaxed(wanted, s.points, room);
     }

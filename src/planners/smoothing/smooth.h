@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/base/frame.h"
+#include "mesh/base/watch.h"
 
 namespace swathplan {
 
@@ -28,6 +29,7 @@ struct SmoothOptions {
   /// problem near the answer. Empty: points stay near the skeleton's own.
   std::function<std::vector<Vec2>(const std::vector<Vec2>&, const std::vector<double>&)> pull = {};
   int pull_rounds = 8;
+  Watch watch = {};  ///< if it ends the work, windows that are not solved yet keep the skeleton
 };
 
 struct SmoothResult {

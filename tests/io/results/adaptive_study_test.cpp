@@ -25,6 +25,14 @@ struct Squares {
   }
 };
 
+struct Looking final : Watcher {
+  void phase(const std::string&) override {}
+  void share(double done) override { most = std::max(most, done); }
+  void tried(std::size_t, std::size_t, const std::string&) override {}
+  [[nodiscard]] bool ended() const override { return most >= until; }
+  double most = 0.0, until = 2.0;
+};
+
 std::string written(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -33,12 +41,11 @@ std::string written(const std::filesystem::path& file) {
 TEST(AdaptiveStudy, WritesTheRowsInTheOrderOfTheCells) {
   const test::TemporaryFolder folder;
   Squares squares;
-  double share = 0.0;
-  const auto rows = run_study(squares.study(), folder.path(),
-                              [&](double done) { share = std::max(share, done); });
+  Looking looking;
+  const auto rows = run_study(squares.study(), folder.path(), Watch(looking));
   ASSERT_EQ(rows.size(), 5U);
   EXPECT_EQ(rows[3], (std::vector<double>{3.0, 9.0}));
-  EXPECT_EQ(share, 1.0);
+  EXPECT_EQ(looking.most, 1.0);
   EXPECT_EQ(written(folder.path() / "squares.csv"),
             "number,square\r\n0,0\r\n1,1\r\n2,4\r\n3,9\r\n4,16\r\n");
 }
@@ -55,6 +62,28 @@ TEST(AdaptiveStudy, ResumesAtTheJournalAndRunsATornLineAgain) {
   (void)run_study(squares.study(), folder.path(), {});
   EXPECT_EQ(squares.runs, 1);
   EXPECT_EQ(written(folder.path() / "squares.csv"), csv);
+}
+
+TEST(AdaptiveStudy, OneThatIsEndedKeepsWhatIsDoneAndGoesOnFromThere) {
+  const test::TemporaryFolder folder;
+  Squares squares;
+  Looking looking;
+  looking.until = 0.4;
+  Study study = squares.study();
+  study.cells = 2000;  // more than threads
+  try {
+    (void)run_study(study, folder.path(), Watch(looking));
+    FAIL() << "the study was not ended";
+  } catch (const EndedEarly& e) {
+    EXPECT_NE(std::string(e.what()).find(" of 2000 cells of the study are done"), std::string::npos)
+        << e.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "squares.csv"));
+  const int before = squares.runs;
+  EXPECT_GE(before, 800);
+  (void)run_study(study, folder.path(), {});
+  EXPECT_EQ(squares.runs, 2000);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "squares.csv"));
 }
 
 TEST(AdaptiveStudy, RefusesTheJournalOfOtherSettings) {

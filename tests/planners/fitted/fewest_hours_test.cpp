@@ -1,5 +1,6 @@
 #include "planners/fitted/fewest_hours.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -9,6 +10,7 @@
 #include "coverage/score.h"
 #include "mesh/base/error.h"
 #include "mesh/synthetic.h"
+#include "planners/ends_after.h"
 #include "planners/test_site.h"
 
 namespace swathplan {
@@ -74,6 +76,50 @@ TEST(FewestHours, SaysWhereNoLineIsLongEnough) {
   PlanOptions options = survey_options();
   options.least_line_m = 500.0;
   EXPECT_THROW((void)plan_fewest_hours(site.ground, options), InvalidInput);
+}
+
+// The same k gives the same plan, and nothing that was tried before is lost.
+TEST(FewestHours, ASearchThatIsEndedKeepsTheBestPlanFinishedByThen) {
+  TestSite site(tilted(160.0, 90.0, 8.0, Angle::degrees(3.0)));
+  const RayScene scene(site.seafloor, Nodata::wall);
+  site.ground.scene = &scene;
+  const auto ended_after = [&](std::size_t candidates) {
+    test::EndsAfter watcher(candidates);
+    PlanOptions options = survey_options();
+    options.watch = Watch(watcher);
+    Plan plan = plan_fewest_hours(site.ground, options);
+    EXPECT_EQ(watcher.count, candidates + 1);  // and one plan was finished
+    EXPECT_EQ(watcher.phases, (std::vector<std::string>{"searching", "finishing the best"}));
+    EXPECT_FALSE(watcher.bests.empty());
+    EXPECT_EQ(plan.notes.back(),
+              fmt::format("search ended early: the best of the {} tried by then was kept",
+                          candidates == 1 ? "1 plan" : fmt::format("{} plans", candidates)));
+    EXPECT_EQ(fault(plan.route), std::nullopt);
+    return plan;
+  };
+  const Plan one = ended_after(1);
+  const Plan three = ended_after(3);
+  const Plan again = ended_after(3);
+  ASSERT_EQ(three.route.waypoints.size(), again.route.waypoints.size());
+  for (std::size_t i = 0; i < three.route.waypoints.size(); ++i) {
+    EXPECT_EQ(three.route.waypoints[i].position, again.route.waypoints[i].position);
+  }
+  EXPECT_EQ(one.choices.size(), 1U);
+  EXPECT_GT(one.choices[0].cover_pct, 50.0);
+}
+
+TEST(FewestHours, AWatcherThatNeverEndsTheSearchChangesNothing) {
+  TestSite site(flat(60.0, 30.0, 8.0));
+  const RayScene scene(site.seafloor, Nodata::wall);
+  site.ground.scene = &scene;
+  test::EndsAfter watcher(1000000);
+  PlanOptions watched = survey_options();
+  watched.watch = Watch(watcher);
+  const Plan with = plan_fewest_hours(site.ground, watched);
+  const Plan without = plan_fewest_hours(site.ground, survey_options());
+  EXPECT_EQ(with.notes, without.notes);
+  EXPECT_EQ(positions(with.route.waypoints), positions(without.route.waypoints));
+  EXPECT_GT(watcher.count, 10U);
 }
 
 }  // namespace

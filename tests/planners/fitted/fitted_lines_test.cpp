@@ -8,6 +8,7 @@
 #include "mesh/base/error.h"
 #include "mesh/survey_area.h"
 #include "mesh/synthetic.h"
+#include "planners/ends_after.h"
 
 namespace swathplan {
 namespace {
@@ -177,6 +178,19 @@ TEST(FittedLines, NeedNoSceneForAFirstPlan) {
   const Plan plan = plan_fitted_lines(site.ground, quarter_metre());
   EXPECT_EQ(fault(plan.route), std::nullopt);
   EXPECT_TRUE(plan.choices.empty());
+}
+
+TEST(FittedLines, ASearchThatIsEndedKeepsTheBestPlanFinishedByThen) {
+  const ScoredSite site(flat(60.0, 60.0, 10.0), 10.0);
+  test::EndsAfter watcher(4);
+  PlanOptions options = quarter_metre();
+  options.watch = Watch(watcher);
+  const Plan plan = plan_fitted_lines(site.ground, options);
+  EXPECT_EQ(watcher.count, 5U);  // and one plan was finished
+  EXPECT_EQ(plan.notes.back(),
+            "search ended early: the best of the 1 finished plan tried by then was kept");
+  EXPECT_EQ(fault(plan.route), std::nullopt);
+  EXPECT_GT(site.score(plan.route, options).all.hit_pct, 50.0);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "mesh/base/error.h"
 #include "mesh/survey_area.h"
 #include "mesh/synthetic.h"
+#include "planners/ends_after.h"
 #include "planners/test_site.h"
 #include "planners/wide_fan.h"
 
@@ -137,6 +138,18 @@ TEST(LineDesign, OptionsOutOfRangeAreRefused) {
   EXPECT_THROW(check({.overlap = 0.5}), UsageError);
   EXPECT_THROW(check({.most_missed = 0.0}), UsageError);
   EXPECT_NO_THROW(check(LineDesignOptions{}));
+}
+
+TEST(LineDesign, ASearchThatIsEndedKeepsTheBestLinesTriedByThen) {
+  const Rectangle r;
+  test::EndsAfter watcher(2);
+  LineDesignOptions options;
+  options.watch = Watch(watcher);
+  const DesignedLines d = design_lines(r.site.ground, r.search, r.judge, options);
+  EXPECT_EQ(watcher.count, 2U);
+  EXPECT_TRUE(d.ended_early);
+  EXPECT_GT(d.figures.lines, 10U);
+  EXPECT_LT(d.figures.missed, 0.01);
 }
 
 }  // namespace

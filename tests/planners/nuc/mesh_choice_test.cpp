@@ -4,6 +4,7 @@
 
 #include "coverage/tracing/ray_scene.h"
 #include "mesh/synthetic.h"
+#include "planners/ends_after.h"
 #include "planners/nuc/nuc.h"
 #include "planners/test_site.h"
 
@@ -22,6 +23,21 @@ TEST(MeshChoice, TheSimulatorChoosesAmongMeshesOfFewQuads) {
   ASSERT_FALSE(chosen.notes.empty());
   EXPECT_NE(chosen.notes.back().find("of 12 meshes"), std::string::npos) << chosen.notes.back();
   EXPECT_NE(chosen.mesh.vertices, plain.mesh.vertices);
+}
+
+TEST(MeshChoice, ASearchThatIsEndedChoosesAmongTheMeshesTriedByThen) {
+  TestSite site(saddle(), kSafeDepthM);
+  const RayScene scene(site.seafloor, Nodata::wall);
+  site.ground.scene = &scene;
+  PlanOptions o = row_options(0.25, 2);
+  o.faces = FaceShape::quad;
+  test::EndsAfter watcher(3);
+  o.watch = Watch(watcher);
+  const Plan plan = plan_nuc(site.ground, o);
+  EXPECT_EQ(watcher.count, 3U);
+  EXPECT_EQ(plan.notes.back(),
+            "search ended early: the best of the 3 meshes tried by then was kept");
+  EXPECT_GT(plan.route.waypoints.size(), 10U);
 }
 
 }  // namespace
