@@ -134,12 +134,15 @@ void fill_and_check(const std::vector<Registered>& rows, const OptionTable& of_a
   std::set<std::string> configured;
   if (!config.empty()) configured = read_config_into(rows, of_all_commands, config);
   apply_profile(rows, configured);
-  OptionTable table;
+  OptionTable table, typed;
   for (const Registered& r : rows) {
     check(r.row);
     table.push_back(r.row);
+    // A configuration file may serve several planners, so only what was typed must be of use.
+    if (r.typed->count() > 0) typed.push_back(r.row);
   }
   check_excludes(table);
+  check_used(typed, chosen_in(table));
 }
 
 /// Runs the command. An error about a field of its rows names the row's flag.
@@ -196,6 +199,45 @@ void check_command(const std::vector<Command>& commands, int argc, const char* c
       fmt::format("'{}' is not a command; choose one of {}", argv[1], fmt::join(names, ", ")));
 }
 
+bool has_flag(const Command& command, const std::string& flag) {
+  return std::any_of(command.options.begin(), command.options.end(),
+                     [&](const Option& option) { return long_flag(option) == flag; });
+}
+
+/// The command that is called, and the words before its own.
+const Command* called_command(const std::vector<Command>& commands, int argc,
+                              const char* const* argv) {
+  const std::vector<Command>* level = &commands;
+  const Command* called = nullptr;
+  for (int i = 1; i < argc; ++i) {
+    const auto found = std::find_if(level->begin(), level->end(),
+                                    [&](const Command& c) { return c.name == argv[i]; });
+    if (found == level->end()) break;
+    called = &*found;
+    level = &found->commands;
+  }
+  return called;
+}
+
+/// @throws UsageError for a flag that other commands have and the one that is called has not.
+void refuse_foreign_flag(const std::vector<Command>& commands, int argc, const char* const* argv) {
+  const Command* called = called_command(commands, argc, argv);
+  if (called == nullptr || !called->commands.empty()) return;
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i];
+    const std::string flag = word.substr(0, word.find('='));
+    if (!flag.starts_with("--") || has_flag(*called, flag)) continue;
+    std::vector<std::string> others;
+    for (const Command& command : commands) {
+      if (!command.hidden && has_flag(command, flag)) others.push_back(command.name);
+    }
+    if (others.empty()) continue;
+    throw UsageError(fmt::format("{}; '{}' does not use it, but {} {}: leave it out", flag,
+                                 called->name, fmt::join(others, ", "),
+                                 others.size() == 1 ? "does" : "do"));
+  }
+}
+
 }  // namespace
 
 int run_commands(const std::string& what, const std::function<std::string()>& version,
@@ -208,6 +250,10 @@ int run_commands(const std::string& what, const std::function<std::string()>& ve
   for (const Command& command : commands) add(app, command, all);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError& e) {
+    refuse_foreign_flag(commands, argc, argv);
+    app.exit(e);
+    return kTypingError;
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : kTypingError;
   }

@@ -25,8 +25,8 @@ struct CompareCommand {
 
 /// The row of this command alone.
 OptionTable own_options(CompareCommand& command) {
-  return {
-      texts("--planners", "Planning", command.planners, "Names, separated by commas", "planners")};
+  return {chooser(
+      texts("--planners", "Planning", command.planners, "Names, separated by commas", "planners"))};
 }
 
 Provenance provenance_of(const CompareCommand& command, const Survey& survey,

@@ -62,17 +62,19 @@ LineDesignOptions design_options(const LinesCommand& c) {
 /// The rows of this command alone.
 OptionTable own_options(LinesCommand& c) {
   const std::string group = "Lines";
-  return {texts("--method", group, c.methods, "Of " + method_names() + "; separated by commas",
-                "method"),
+  const std::vector<std::string> straight{"auto", "straight", "back-and-forth"};
+  return {chooser(texts("--method", group, c.methods,
+                        "Of " + method_names() + "; separated by commas", "method")),
           real("--max-opening", group, c.opening_deg, kDegrees, between(0.0, 180.0),
                "Full opening angle of the fan, degrees", "max_opening_deg"),
           real("--overlap", group, c.overlap_pct, kPerCent, within(0.0, 40.0),
                "Per cent of its swath that a line shares with its neighbour", "overlap_pct"),
           real("--missed", group, c.missed_pct, kPerCent, between(0.0, 100.0),
                "Per cent of the area that may be missed", "missed_pct"),
-          real("--heading", group, c.heading_deg, kDegrees, any_number(),
-               "Azimuth of straight lines, degrees (default: searched)", "heading_deg"),
-          north_option(group, c.north)};
+          used_by(straight,
+                  real("--heading", group, c.heading_deg, kDegrees, any_number(),
+                       "Azimuth of straight lines, degrees (default: searched)", "heading_deg")),
+          used_by(straight, north_option(group, c.north))};
 }
 
 /// The rows of the vehicle that lines depend on.

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -34,11 +35,24 @@ std::optional<T> parsed(std::string_view text) {
   throw UsageError(fmt::format("{} {}; {}", long_flag(option), text.empty() ? "''" : text, rule));
 }
 
-/// "hit or footprint", "a, b or c".
-std::string either(const std::vector<std::string>& words) {
-  if (words.size() < 2) return words.empty() ? "" : words.front();
-  const std::vector<std::string> all_but_last(words.begin(), words.end() - 1);
-  return fmt::format("{} or {}", fmt::join(all_but_last, ", "), words.back());
+/// What may stand behind a speed, and the m/s that one of it makes.
+constexpr std::array<std::pair<std::string_view, double>, 6> kSpeedUnits{
+    {{"kn", 1852.0 / 3600.0},
+     {"kt", 1852.0 / 3600.0},
+     {"kts", 1852.0 / 3600.0},
+     {"knots", 1852.0 / 3600.0},
+     {"km/h", 1.0 / 3.6},
+     {"m/s", 1.0}}};
+
+/// '4kn', '4 kn', '7.4km/h' or '2.1m/s' in m/s; empty if it is none.
+std::optional<double> speed_in_words(std::string_view text) {
+  for (const auto& [unit, factor] : kSpeedUnits) {
+    if (!text.ends_with(unit)) continue;
+    std::string_view before = text.substr(0, text.size() - unit.size());
+    while (before.ends_with(' ')) before.remove_suffix(1);
+    if (const auto value = parsed<double>(before)) return *value * factor;
+  }
+  return std::nullopt;
 }
 
 double number(const Option& option, const std::string& text) {
@@ -46,6 +60,10 @@ double number(const Option& option, const std::string& text) {
     if (text == word) return value;
   }
   if (const auto value = parsed<double>(text)) return *value;
+  if (option.unit == kMetresPerSecond) {
+    if (const auto value = speed_in_words(text)) return *value;
+    refuse(option, text, "must be a number of m/s, or a speed as 4kn, 7.4km/h or 2.1m/s");
+  }
   if (option.words.empty()) {
     refuse(option, text,
            option.unit.empty() ? "must be a number"
@@ -97,6 +115,12 @@ void check_text(const Option& option, const std::string& value) {
   if (!choices.empty() && std::find(choices.begin(), choices.end(), value) == choices.end()) {
     refuse(option, value, "must be " + either(choices));
   }
+}
+
+/// "--heading 30", or the flag alone of a switch.
+std::string as_typed(const Option& option) {
+  const std::string value = is_switch(option) ? "" : default_text(option);
+  return value.empty() ? long_flag(option) : long_flag(option) + " " + value;
 }
 
 }  // namespace
@@ -249,6 +273,44 @@ Option required(Option option) {
   return option;
 }
 
+Option chooser(Option option) {
+  option.chooses = true;
+  return option;
+}
+
+Option used_by(std::vector<std::string> chosen, Option option) {
+  option.used_by = std::move(chosen);
+  return option;
+}
+
+std::string either(const std::vector<std::string>& words) {
+  if (words.size() < 2) return words.empty() ? "" : words.front();
+  const std::vector<std::string> all_but_last(words.begin(), words.end() - 1);
+  return fmt::format("{} or {}", fmt::join(all_but_last, ", "), words.back());
+}
+
+std::vector<std::string> chosen_in(const OptionTable& table) {
+  for (const Option& option : table) {
+    if (!option.chooses) continue;
+    if (const auto* list = std::get_if<std::vector<std::string>*>(&option.slot)) return **list;
+    return {*std::get<std::string*>(option.slot)};
+  }
+  return {};
+}
+
+void check_used(const OptionTable& typed, const std::vector<std::string>& chosen) {
+  for (const Option& option : typed) {
+    const auto uses = [&](const std::string& name) {
+      return std::find(option.used_by.begin(), option.used_by.end(), name) != option.used_by.end();
+    };
+    if (chosen.empty() || option.used_by.empty()) continue;
+    if (std::any_of(chosen.begin(), chosen.end(), uses)) continue;
+    throw UsageError(fmt::format("{}; {} {} not use it: leave it out, or choose {}",
+                                 as_typed(option), fmt::join(chosen, ", "),
+                                 chosen.size() == 1 ? "does" : "do", either(option.used_by)));
+  }
+}
+
 OptionTable joined(std::vector<OptionTable> tables) {
   OptionTable all;
   for (OptionTable& table : tables) {
@@ -365,6 +427,7 @@ std::string type_name(const Option& option) {
   if (std::holds_alternative<std::uint64_t*>(option.slot)) return "UINT";
   const bool real = std::holds_alternative<double*>(option.slot) ||
                     std::holds_alternative<std::optional<double>*>(option.slot);
+  if (real && option.unit == kMetresPerSecond) return "SPEED";
   return real && option.words.empty() ? "FLOAT" : "TEXT";
 }
 
@@ -398,7 +461,7 @@ void record(Provenance& provenance, const OptionTable& typed, const OptionTable&
     }
     auto value = option.name.empty() ? std::nullopt : value_of(option);
     if (!value) continue;
-    if (!value_of(typed[i])) provenance.derived.push_back(option.name);
+    if (value_of(typed[i]) != value) provenance.derived.push_back(option.name);
     provenance.options.emplace_back(option.name, std::move(*value));
   }
 }

@@ -65,6 +65,8 @@ struct Option {
   std::size_t count = 0;                                   ///< of a list; 0: any
   bool required = false, not_empty = false;
   std::vector<std::string> excludes = {};  ///< flags that may not be given together with this one
+  std::vector<std::string> used_by = {};   ///< values of the row that `chooses`; empty: all
+  bool chooses = false;                    ///< its value or values decide which other rows are used
 };
 using OptionTable = std::vector<Option>;
 
@@ -100,6 +102,10 @@ using OptionTable = std::vector<Option>;
 
 /// The row, which must be given.
 [[nodiscard]] Option required(Option option);
+/// The row, whose value decides which others are used, as --planner.
+[[nodiscard]] Option chooser(Option option);
+/// The row, which is used where one of these is chosen.
+[[nodiscard]] Option used_by(std::vector<std::string> chosen, Option option);
 
 /// Tables one after the other.
 [[nodiscard]] OptionTable joined(std::vector<OptionTable> tables);
@@ -123,6 +129,12 @@ void set(const Option& option, const std::vector<std::string>& typed);
 void check(const Option& option);
 /// The value; empty for an optional one without. Files are named without their folders.
 [[nodiscard]] std::optional<OptionValue> value_of(const Option& option);
+/// "a, b or c".
+[[nodiscard]] std::string either(const std::vector<std::string>& words);
+/// @throws UsageError for the first of these rows that nothing chosen uses.
+void check_used(const OptionTable& typed, const std::vector<std::string>& chosen);
+/// What is chosen by the row that chooses; empty without such a row.
+[[nodiscard]] std::vector<std::string> chosen_in(const OptionTable& table);
 /// What the help writes in the place of a value: "{hit,footprint}", "FLOAT".
 [[nodiscard]] std::string type_name(const Option& option);
 /// The value for the help; empty if there is nothing to say.

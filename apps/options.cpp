@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "apps/profiles.h"
@@ -25,6 +26,7 @@ const char* const kNoiseGroup = "Tracking errors";
 const char* const kCriteriaGroup = "Criteria";
 const char* const kUncertaintyGroup = "Uncertainty (one standard deviation each)";
 const char* const kPlanningGroup = "Planning";
+const char* const kSpacingGroup = "Line spacing";
 
 template <class Presets>
 std::vector<std::string> names_of(const Presets& presets, std::vector<std::string> names = {}) {
@@ -196,7 +198,7 @@ OptionTable vehicle_options(VehicleChoice& o) {
       real("--turn-radius", kVehicleGroup, o.turn_radius_m, kMetres, above(0.0),
            "Smallest turn radius, metres", "turn_radius_m"),
       real("--speed", kVehicleGroup, o.speed_mps, kMetresPerSecond, above(0.0),
-           "Speed on lines, m/s", "speed_mps"),
+           "Speed on lines, m/s, or as 4kn or 7.4km/h", "speed_mps"),
       real("--turn-speed", kVehicleGroup, o.turn_speed_mps, kMetresPerSecond, above(0.0),
            "Speed in turns between lines, m/s", "turn_speed_mps"),
       real("--transit-speed", kVehicleGroup, o.transit_speed_mps, kMetresPerSecond, above(0.0),
@@ -326,6 +328,78 @@ OptionTable criteria_options(CriteriaChoice& o) {
       {what, sensors, sounding_uncertainties(o), motion_uncertainties(o), place_uncertainties(o)});
 }
 
+Option swath_option(const std::string& group, std::string& swath_by) {
+  return choice("--swath-by", group, swath_by, {"fan", "footprint"},
+                "A line's swath is what the fan sweeps at the depth below, or W = beams x "
+                "resolution as in the papers",
+                "swath_by");
+}
+
+namespace {
+
+/// A row that not every planner uses, and those that do.
+struct Usage {
+  std::string_view flag, planners;
+};
+constexpr std::array kUsedBy{
+    Usage{"--depth-bands", "multi-depth mdnuc"},
+    Usage{"--smallest-region", "multi-depth mdnuc"},
+    Usage{"--faces", "multi-depth nuc mdnuc"},
+    Usage{"--face-size", "multi-depth nuc mdnuc"},
+    Usage{"--opening", "back-and-forth multi-depth nuc mdnuc"},
+    Usage{"--heading", "back-and-forth multi-depth fitted-lines"},
+    Usage{"--north", "back-and-forth multi-depth fitted-lines"},
+    Usage{"--lines", "fitted-lines"},
+    Usage{"--coverage", "fitted-lines"},
+    Usage{"--length", "fitted-lines"},
+    Usage{"--time", "fitted-lines"},
+    Usage{"--cover", "edge-following fitted-lines"},
+    Usage{"--counted", "back-and-forth edge-following nuc mdnuc fitted-lines"},
+    Usage{"--angles", "back-and-forth edge-following multi-depth fitted-lines"},
+    Usage{"--least-line", "back-and-forth multi-depth fitted-lines"},
+    Usage{"--line-margin", "edge-following fitted-lines"},
+    Usage{"--spacing", "back-and-forth multi-depth"},
+    Usage{"--overlap", "back-and-forth multi-depth"},
+    Usage{"--spacing-depth", "back-and-forth multi-depth"},
+};
+
+std::vector<std::string> names_in(std::string_view words) {
+  std::vector<std::string> names;
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find(' '), words.size());
+    names.emplace_back(words.substr(0, end));
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  return names;
+}
+
+OptionTable spacing_options(PlanningChoice& o) {
+  const char* const group = kSpacingGroup;
+  OptionTable table{
+      real("--spacing", group, o.spacing_m, kMetres, above(0.0),
+           "Metres between lines (default: by depth, fan and overlap)", "spacing_m"),
+      real("--overlap", group, o.overlap_pct, kPerCent, at_least_under(0.0, 100.0),
+           "Per cent of its swath that a line shares with its neighbour (default: 10)",
+           "overlap_pct"),
+      text("--spacing-depth", group, o.spacing_depth,
+           "Depth of a block that its lines are spaced by: shoalest, mean, or p10 for the one that "
+           "10 per cent of the block do not reach (default: shoalest)",
+           "spacing_depth"),
+      real("--opening-angle", group, o.opening_deg, kDegrees,
+           between(0.0, 180.0, "a beam at 90 degrees from nadir never meets the seafloor"),
+           "Full fan of every line, degrees (default: as wide as --max-opening and range allow; "
+           "fitted lines: what serves best)",
+           "opening_angle_deg"),
+      swath_option(group, o.swath_by),
+  };
+  for (Option& option : table) {
+    if (option.flag == "--spacing") option.excludes = {"--overlap"};
+  }
+  return table;
+}
+
+}  // namespace
+
 OptionTable planning_options(PlanningChoice& o) {
   OptionTable table{
       text("--depth-bands", kPlanningGroup, o.depth_bands,
@@ -399,6 +473,12 @@ OptionTable planning_options(PlanningChoice& o) {
   for (Option& option : table) {
     if (option.flag == "--coverage") option.excludes = {"--length", "--time"};
     if (option.flag == "--length") option.excludes = {"--time"};
+  }
+  table = joined({table, spacing_options(o)});
+  for (Option& option : table) {
+    for (const Usage& usage : kUsedBy) {
+      if (option.flag == usage.flag) option.used_by = names_in(usage.planners);
+    }
   }
   return table;
 }

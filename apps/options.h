@@ -76,6 +76,8 @@ struct PlanningChoice {
   std::string cover = "hit", counted = "logged", angles = "line";
   std::optional<double> least_line_m, least_speed_mps, soundings;
   double line_margin_pct = 0.0;
+  std::string swath_by = "fan", spacing_depth;
+  std::optional<double> spacing_m, overlap_pct, opening_deg;
 };
 
 /// What a survey is judged by, and how well its soundings are known: presets and what overrides
@@ -125,6 +127,8 @@ struct ExportChoice {
 /// Of `plan` and `score`.
 [[nodiscard]] OptionTable criteria_options(CriteriaChoice& criteria);
 [[nodiscard]] OptionTable planning_options(PlanningChoice& planning);
+/// What a line's swath is: a row of all commands that open fans.
+[[nodiscard]] Option swath_option(const std::string& group, std::string& swath_by);
 /// Which north a heading counts from: a row of all commands that take one.
 [[nodiscard]] Option north_option(const std::string& group, std::string& north);
 /// Of `plan`, `compare` and `lines`, in a group of their own.

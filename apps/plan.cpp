@@ -24,7 +24,8 @@ struct PlanCommand {
 OptionTable own_options(PlanCommand& command) {
   std::vector<std::string> names;
   for (const Planner& p : planners()) names.push_back(p.name);
-  return {choice("--planner", "Planning", command.planner, names, "What plans", "planner")};
+  return {
+      chooser(choice("--planner", "Planning", command.planner, names, "What plans", "planner"))};
 }
 
 Provenance provenance_of(const PlanCommand& command, const Survey& survey,

@@ -13,8 +13,10 @@
 #include "planners/fitted/fitted_lines.h"
 #include "planners/fronts/rate_width.h"
 #include "planners/fronts/water_raster.h"
+#include "planners/line_spacing.h"
 #include "planners/nuc/mdnuc.h"
 #include "planners/nuc/nuc.h"
+#include "planners/nuc/skeleton_smoothing.h"
 #include "planners/rows/back_and_forth.h"
 #include "planners/rows/multi_depth.h"
 #include "planners/wording.h"
@@ -86,6 +88,7 @@ Sonar counted_on(const Site& site, const Survey& survey, std::vector<std::string
 
 void note_reach(Site& site, const Survey& survey) {
   const PlanOptions& how = survey.planning;
+  if (how.rows.swath_by == SwathBy::fan) return;
   const double width = footprint_width_m(how);
   const double depth = depth_range(site.seafloor()).mean - how.vehicle.draft_m;
   const double reach = 2.0 * depth * tan(how.sonar.max_opening / 2.0);
@@ -94,8 +97,20 @@ void note_reach(Site& site, const Survey& survey) {
       "the footprint width of {:.4g} m ({} beams, cells of {:g} m) is more than a fan of {:g} "
       "degrees sweeps at the mean depth ({:.4g} m): lines of back-and-forth and multi-depth lie a "
       "footprint width apart and leave gaps, and length ratios count in swaths that no fan sweeps; "
-      "smaller cells (--resolution) bring lines closer",
+      "--swath-by fan spaces lines by what the fan sweeps, and smaller cells (--resolution) bring "
+      "them closer too",
       width, how.sonar.beams, how.resolution_m, how.sonar.max_opening.deg(), reach));
+}
+
+PlanOptions planning_over(const Ground& ground, const Site& site, const Survey& survey,
+                          const Sonar& sonar) {
+  PlanOptions how = planning_in(survey, site.imported);
+  how.sonar = sonar;
+  if (how.opening_angle) how.sonar.max_opening = *how.opening_angle;
+  if (how.rows.swath_by == SwathBy::footprint) return how;
+  how.lane_width_m = usual_lane_m(ground, how);
+  if (how.smooth) how.smooth = smoothing_for(how);
+  return how;
 }
 
 const std::vector<Planner>& planners() {
@@ -181,9 +196,9 @@ PlannedSurvey recorded(const std::string& planner, const std::string& label, Pla
 PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Survey& survey,
                              const Scorer& scorer) {
   const auto start = std::chrono::steady_clock::now();
-  PlanOptions how = planning_in(survey, site.imported);
   std::vector<std::string> notes;
-  how.sonar = counted_on(site, survey, notes);
+  const Sonar sonar = counted_on(site, survey, notes);
+  PlanOptions how = planning_over(scorer.ground(), site, survey, sonar);
   how.watch = scorer.watch();
   if (how.smooth) how.smooth->watch = how.watch;
   how.watch.phase("laying lines");
@@ -198,10 +213,14 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
   }
   if (plan.route.waypoints.size() < 2) {
     throw InvalidInput(
-        fmt::format("{}: no line of it fits into '{}' at a footprint width of {:.4g} m ({} beams x "
-                    "--resolution {:g}); use finer cells or another --planner",
-                    planner.name, site.imported.file, footprint_width_m(how), how.sonar.beams,
-                    how.resolution_m));
+        how.lane_width_m
+            ? fmt::format("{}: no line of it fits into '{}' where swaths are about {:.4g} m wide; "
+                          "use another --planner",
+                          planner.name, site.imported.file, lane_m(how))
+            : fmt::format("{}: no line of it fits into '{}' at a footprint width of {:.4g} m ({} "
+                          "beams x --resolution {:g}); use finer cells or another --planner",
+                          planner.name, site.imported.file, footprint_width_m(how), how.sonar.beams,
+                          how.resolution_m));
   }
   if (std::string note = unserved_note(site, plan.route); !note.empty()) {
     plan.notes.push_back(std::move(note));

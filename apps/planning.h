@@ -35,8 +35,13 @@ struct PlannedSurvey {
                                      Plan plan, ScoredRoute scored, const Site& site,
                                      const Survey& survey);
 
-/// Adds a note if the footprint width is more than the sonar's fan sweeps.
+/// Adds a note if lines lie W apart and that is more than the sonar's fan sweeps.
 void note_reach(Site& site, const Survey& survey);
+
+/// The options of a planner over this site: planning_in (survey.h) with what its sonar sees, and
+/// the lane that fans sweep here where lines are not W apart.
+[[nodiscard]] PlanOptions planning_over(const Ground& ground, const Site& site,
+                                        const Survey& survey, const Sonar& sonar);
 
 /// What routes of one command are scored on, built once.
 /// @throws UsageError for cells larger than the area or too many of them; InvalidInput for a

@@ -30,7 +30,7 @@ inline constexpr std::array kSurveyRows{
 inline constexpr std::array kPaperRows{
     ProfileRow{"counted", "all"},        ProfileRow{"angles", "ping"},
     ProfileRow{"ping_spacing_m", "0.1"}, ProfileRow{"clearance_m", "0.05"},
-    ProfileRow{"least_line_m", "0"},
+    ProfileRow{"least_line_m", "0"},     ProfileRow{"swath_by", "footprint"},
 };
 
 inline constexpr std::array kProfiles{

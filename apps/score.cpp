@@ -27,11 +27,14 @@ struct ScoreCommand {
 
 /// The rows of this command alone.
 OptionTable own_options(ScoreCommand& command) {
-  return {real("--opening-angle", "Route", command.opening_deg, kDegrees, between(0.0, 180.0),
-               "Full opening angle where ROUTE has none, degrees (default: W at the mean depth)",
-               "opening_angle_deg"),
-          flag("--infill", "Route", command.infill,
-               "Also add passes over the gaps: a second route, in the folder 'infill'", "infill")};
+  return {
+      real("--opening-angle", "Route", command.opening_deg, kDegrees, between(0.0, 180.0),
+           "Full opening angle where ROUTE has none, degrees (default: as wide as --max-opening "
+           "and range allow at the mean depth)",
+           "opening_angle_deg"),
+      swath_option("Route", command.survey.planning.swath_by),
+      flag("--infill", "Route", command.infill,
+           "Also add passes over the gaps: a second route, in the folder 'infill'", "infill")};
 }
 
 Provenance provenance_of(const ScoreCommand& command, const Survey& survey,
@@ -43,14 +46,18 @@ Provenance provenance_of(const ScoreCommand& command, const Survey& survey,
   return provenance;
 }
 
-/// The fan for routes that give none: that of --opening-angle, else the one that sweeps W at the
-/// mean depth.
+/// The fan for routes that give none: that of --opening-angle, else the widest at the mean depth or
+/// the one that sweeps W there.
 FanAngles default_fan(const ScoreCommand& command, const Survey& survey, const Site& site) {
   if (command.opening_deg) {
     const double opening = *command.opening_deg;
     return {Angle::degrees(opening / 2.0), Angle::degrees(opening / 2.0)};
   }
-  return fan_for_depth(survey.planning, depth_range(site.seafloor()).mean);
+  const double mean = depth_range(site.seafloor()).mean;
+  if (survey.planning.rows.swath_by == SwathBy::footprint)
+    return fan_for_depth(survey.planning, mean);
+  const Angle half = widest_half_angle(survey.sonar, std::max(0.0, mean - survey.vehicle.draft_m));
+  return {half, half};
 }
 
 bool is_near_data(const std::vector<Vec2>& points, const Site& site) {
@@ -97,8 +104,8 @@ void check_meets_data(const Route& route, const Site& site, const std::filesyste
 }
 
 /// The route with extra passes over its gaps.
-Plan with_passes(const Plan& plan, const Survey& survey, const Scorer& scorer) {
-  PlanOptions how = survey.planning;
+Plan with_passes(const Plan& plan, const Survey& survey, const Site& site, const Scorer& scorer) {
+  PlanOptions how = planning_over(scorer.ground(), site, survey, survey.sonar);
   how.watch = scorer.watch();
   how.watch.phase("adding infill passes");
   InfilledRoute filled = infilled(plan.route, scorer.ground(), how);
@@ -150,7 +157,7 @@ void run(const ScoreCommand& command) {
   const std::string name = command.route.filename().string();
   std::optional<Plan> filled;
   if (command.infill) watch.search();
-  if (command.infill) filled = with_passes(plan, survey, scorer);
+  if (command.infill) filled = with_passes(plan, survey, *site, scorer);
   surveys.push_back(recorded("given", name, std::move(plan), std::move(scored), *site, survey));
   surveys[0].judged = scorer.judge("judging by the criterion", surveys[0].plan.route);
   const std::filesystem::path& folder = command.output.folder;

@@ -200,6 +200,18 @@ CriteriaChoice in_force(const CriteriaChoice& typed, const UncertaintyBudget& bu
   return o;
 }
 
+/// 'shoalest', 'mean' or 'p10'.
+BlockDepth block_depth(const std::string& text) {
+  if (text.empty() || text == "shoalest") return {};
+  if (text == "mean") return {.mean = true};
+  if (text.starts_with('p') && text.size() > 1) {
+    const double share = number(text.substr(1), "--spacing-depth") / 100.0;
+    if (share >= 0.0 && share < 1.0) return {.share = share};
+  }
+  throw UsageError(fmt::format(
+      "--spacing-depth {}; must be shoalest, mean, or a percentile from p0 to p99, as p10", text));
+}
+
 PlanOptions planning_of(const SurveyOptions& options, const Survey& survey) {
   const PlanningChoice& o = options.planning;
   PlanOptions result;
@@ -240,6 +252,20 @@ PlanOptions planning_of(const SurveyOptions& options, const Survey& survey) {
   set_if(result.soundings, o.soundings);
   result.cover = o.cover == "footprint" ? Cover::footprint : Cover::hit;
   result.lines_margin = o.line_margin_pct / 100.0;
+  if (o.swath_by == "footprint" && (o.spacing_m || o.overlap_pct || !o.spacing_depth.empty())) {
+    throw UsageError(fmt::format(
+        "--{} with --swath-by footprint; lines lie W = beams x resolution apart there: leave it "
+        "out, or add --swath-by fan",
+        o.spacing_m     ? "spacing"
+        : o.overlap_pct ? "overlap"
+                        : "spacing-depth"));
+  }
+  result.rows.swath_by = o.swath_by == "fan" ? SwathBy::fan : SwathBy::footprint;
+  result.rows.spacing_m = o.spacing_m;
+  if (o.overlap_pct) result.rows.overlap = *o.overlap_pct / 100.0;
+  result.rows.depth = block_depth(o.spacing_depth);
+  set_if(result.opening_angle, o.opening_deg);
+  check(result);
   return result;
 }
 
@@ -352,6 +378,8 @@ SurveyOptions in_force(const SurveyOptions& typed, const Survey& survey) {
   keep(o.planning.least_line_m, survey.planning.least_line_m);
   keep(o.planning.least_speed_mps, survey.planning.least_speed_mps);
   keep(o.planning.soundings, survey.planning.soundings);
+  if (!o.planning.spacing_m) keep(o.planning.overlap_pct, 100.0 * survey.planning.rows.overlap);
+  if (o.planning.spacing_depth.empty()) o.planning.spacing_depth = "shoalest";
   if (survey.judging) o.criteria = in_force(typed.criteria, survey.judging->budget);
   keep(o.planning.smallest_region_m2, smallest_region_m2(survey.planning));
   return o;

@@ -35,23 +35,25 @@ Seafloor make(const SynthCommand& c) {
 Command synth_command() {
   auto c = std::make_shared<SynthCommand>();
   const std::string group;
-  return {"synth",
-          "Write a synthetic seafloor",
-          {argument("SHAPE", c->shape, "saddle, shaft, harbour, sea, flat, tilted or stepped"),
-           required(path("-o,--output", group, c->file,
-                         "File: .obj (any shape), .asc or .tif (shapes on a square lattice)", "")),
-           real("--width", group, c->width_m, kMetres, above(0.0),
-                "flat, tilted, stepped: metres east", "width_m"),
-           real("--height", group, c->height_m, kMetres, above(0.0),
-                "flat, tilted, stepped: metres north", "height_m"),
-           real("--depth", group, c->depth_m, kMetres, above(0.0),
-                "flat, tilted, stepped: depth at the west edge, metres", "depth_m"),
-           real("--depth-east", group, c->depth_east_m, kMetres, above(0.0),
-                "stepped: depth of the eastern half, metres", "depth_east_m"),
-           real("--slope", group, c->slope_deg, kDegrees, within(0.0, 89.0),
-                "tilted: slope down to the east, degrees", "slope_deg")},
-          [c] { write_seafloor(c->file, make(*c)); },
-          {}};
+  const std::vector<std::string> plain{"flat", "tilted", "stepped"};
+  return {
+      "synth",
+      "Write a synthetic seafloor",
+      {chooser(argument("SHAPE", c->shape, "saddle, shaft, harbour, sea, flat, tilted or stepped")),
+       required(path("-o,--output", group, c->file,
+                     "File: .obj (any shape), .asc or .tif (shapes on a square lattice)", "")),
+       used_by(plain, real("--width", group, c->width_m, kMetres, above(0.0),
+                           "flat, tilted, stepped: metres east", "width_m")),
+       used_by(plain, real("--height", group, c->height_m, kMetres, above(0.0),
+                           "flat, tilted, stepped: metres north", "height_m")),
+       used_by(plain, real("--depth", group, c->depth_m, kMetres, above(0.0),
+                           "flat, tilted, stepped: depth at the west edge, metres", "depth_m")),
+       used_by({"stepped"}, real("--depth-east", group, c->depth_east_m, kMetres, above(0.0),
+                                 "stepped: depth of the eastern half, metres", "depth_east_m")),
+       used_by({"tilted"}, real("--slope", group, c->slope_deg, kDegrees, within(0.0, 89.0),
+                                "tilted: slope down to the east, degrees", "slope_deg"))},
+      [c] { write_seafloor(c->file, make(*c)); },
+      {}};
 }
 
 }  // namespace swathplan

@@ -16,6 +16,10 @@ double footprint_width_m(const PlanOptions& options) {
   return footprint_width_m(options.sonar, options.resolution_m);
 }
 
+double lane_m(const PlanOptions& options) {
+  return options.lane_width_m.value_or(footprint_width_m(options));
+}
+
 Area reachable_area(const Ground& ground) {
   Area area = intersect(ground.survey_area, ground.water);
   if (area.empty()) {
@@ -38,6 +42,23 @@ void check(const PlanOptions& options) {
   if (!(opening > 0.0 && opening < 180.0)) {
     throw UsageError("max opening", fmt::format("{:g}", opening), "must lie in (0, 180) degrees");
   }
+  if (options.opening_angle) {
+    const double fan = options.opening_angle->deg();
+    if (!(fan > 0.0 && fan <= opening + 1e-9)) {
+      throw UsageError(
+          "opening angle", fmt::format("{:g}", fan),
+          fmt::format("must be above 0 and no more than <max opening>, {:g} degrees", opening));
+    }
+  }
+  const RowSpacing& rows = options.rows;
+  if (rows.spacing_m && !(*rows.spacing_m > 0.0 && std::isfinite(*rows.spacing_m))) {
+    throw UsageError("spacing", fmt::format("{:g}", *rows.spacing_m), "must be above 0 metres");
+  }
+  if (!(rows.overlap >= 0.0 && rows.overlap < 1.0)) {
+    throw UsageError("overlap", fmt::format("{:g}", 100.0 * rows.overlap),
+                     "must be at least 0 and under 100 per cent: lines that overlap wholly never "
+                     "come to an end of the area");
+  }
   if (options.face_size && !(*options.face_size > 0.0 && std::isfinite(*options.face_size))) {
     throw UsageError("face size", fmt::format("{}", *options.face_size), "must be above 0");
   }
@@ -49,7 +70,7 @@ void check(const PlanOptions& options) {
 
 double face_size_m(const PlanOptions& options) {
   const double usual = options.faces == FaceShape::quad ? kQuadSize : kFaceSize;
-  return options.face_size.value_or(usual) * footprint_width_m(options);
+  return options.face_size.value_or(usual) * lane_m(options);
 }
 
 double smallest_region_m2(const PlanOptions& options) {
@@ -84,8 +105,9 @@ double mean_depth_m(const DepthRegions& regions) {
 }
 
 FanAngles fan_for_depth(const PlanOptions& options, double depth_m) {
+  if (options.opening_angle) return {*options.opening_angle / 2.0, *options.opening_angle / 2.0};
   const double below_sonar = depth_m - options.vehicle.draft_m;
-  const Angle half = half_angle(options.sonar, footprint_width_m(options), below_sonar);
+  const Angle half = half_angle(options.sonar, lane_m(options), below_sonar);
   return {half, half};
 }
 
@@ -100,13 +122,18 @@ double ping_spacing_m(const PlanOptions& options, double depth_m) {
 }
 
 Route opened_per_ping(const Route& route, const Ground& ground, const PlanOptions& options,
-                      double step_m) {
+                      const std::vector<double>& lanes_m, double step_m) {
   Route result;
+  PlanOptions how = options;
+  if (!lanes_m.empty()) how.lane_width_m = lanes_m.front();
   const auto& w = route.waypoints;
   for (std::size_t i = 0; i < w.size(); ++i) {
     if (i + 1 == w.size() || !w[i].fan) {
       result.waypoints.push_back(w[i]);
       continue;
+    }
+    if (!lanes_m.empty() && w[i].region) {
+      how.lane_width_m = lanes_m[static_cast<std::size_t>(*w[i].region)];
     }
     const Vec2 along = w[i + 1].position - w[i].position;
     const auto parts = std::max(1, static_cast<int>(std::ceil(along.norm() / step_m)));
@@ -115,7 +142,7 @@ Route opened_per_ping(const Route& route, const Ground& ground, const PlanOption
       point.position += along * (static_cast<double>(k) / parts);
       const Vec2 middle = w[i].position + along * ((k + 0.5) / parts);
       const auto depth = ground.depths->depth(middle);
-      point.fan = fan_for_depth(options, depth ? *depth : ground.depths->nearest_depth(middle));
+      point.fan = fan_for_depth(how, depth ? *depth : ground.depths->nearest_depth(middle));
       result.waypoints.push_back(point);
     }
   }

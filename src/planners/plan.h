@@ -58,12 +58,32 @@ enum class Angles {
   line   ///< the whole line; in whole degrees
 };
 
+/// What a line's swath is, where lines are laid by it.
+enum class SwathBy {
+  footprint,  ///< W, as in the papers
+  fan         ///< what the fan sweeps at the depth below
+};
+
+/// The depth that stands for a block of lines.
+struct BlockDepth {
+  bool mean = false;
+  double share = 0.0;  ///< else: of the block's area that is shoaler, [0, 1); 0: the shoalest
+};
+
+/// How far apart the rows of back-and-forth and multi-depth lie.
+struct RowSpacing {
+  SwathBy swath_by = SwathBy::footprint;  ///< footprint: they lie W apart
+  std::optional<double> spacing_m = {};   ///< > 0; empty: by the block's depth, fan and overlap
+  double overlap = 0.1;                   ///< share of a swath that its neighbour repeats, [0, 1)
+  BlockDepth depth = {};
+};
+
 struct PlanOptions {
   Sonar sonar;
   Vehicle vehicle;
   double resolution_m = 0.10;
   FaceShape faces = FaceShape::triangle;  ///< of the mesh that NUC and MDNUC walk
-  /// Hypotenuse of a triangle or side of a quad as a share of W, > 0. Empty: kFaceSize or
+  /// Hypotenuse of a triangle or side of a quad as a share of a lane, > 0. Empty: kFaceSize or
   /// kQuadSize, and where the area holds few faces the best of several meshes (mesh_choice.h).
   std::optional<double> face_size;
   PingTiming pings;  ///< for judging candidates
@@ -74,6 +94,12 @@ struct PlanOptions {
   /// little more than a regular triangle; with quads 0.3 of a side squared.
   std::optional<double> smallest_region_m2;
   Opening opening = Opening::region;
+  /// The full fan of every line, in (0, the sonar's largest]. Empty: it follows from the depth.
+  std::optional<Angle> opening_angle;
+  RowSpacing rows;
+  /// How far apart neighbouring lines lie by and large: what meshes, turns and joins are sized by.
+  /// Empty: W, as in the papers.
+  std::optional<double> lane_width_m;
   /// How joins between lines, and the skeleton of NUC and MDNUC, are smoothed. Empty: plain arcs.
   std::optional<SmoothOptions> smooth;
   double run_in_m = 0.0;   ///< sailed straight before each line, not logged; < 0 shortens the line
@@ -127,8 +153,11 @@ inline constexpr double kMostMargin = 0.4;
 /// W = beams x resolution, metres.
 [[nodiscard]] double footprint_width_m(const PlanOptions& options);
 
-/// Metres between pings at survey speed over level ground `depth_m` deep, with the fan that sweeps
-/// W there.
+/// The options' lane width, metres; W where they give none.
+[[nodiscard]] double lane_m(const PlanOptions& options);
+
+/// Metres between pings at survey speed over level ground `depth_m` deep, with the fan of
+/// fan_for_depth.
 [[nodiscard]] double ping_spacing_m(const PlanOptions& options, double depth_m);
 
 /// The part of the survey area that the boat may sail in: lines and meshes are laid in it.
@@ -161,13 +190,16 @@ void check(const PlanOptions& options);
 /// Plan-area-weighted mean depth of the survey area's seafloor, metres.
 [[nodiscard]] double mean_depth_m(const DepthRegions& regions);
 
-/// The symmetric fan that sweeps W at `depth_m`: its full angle is 2 atan(W/2 / depth below the
-/// sonar), capped by the sonar. The sonar hangs at the draft, so the depth below it is less than
-/// `depth_m`, and the fan must open wider.
+/// The symmetric fan that sweeps a lane (W in the papers) at `depth_m`: its full angle is
+/// 2 atan(W/2 / depth below the sonar), capped by the sonar; or `opening_angle`. The sonar hangs at
+/// the draft, so the depth below it is less than `depth_m`, and the fan must open wider.
 [[nodiscard]] FanAngles fan_for_depth(const PlanOptions& options, double depth_m);
 
-/// Opens the fan anew each `step_m` of path from the depth below, so that it sweeps W everywhere.
+/// Opens the fan anew each `step_m` of path from the depth below, so that it sweeps a lane
+/// everywhere. `lanes_m`: that of each region, where they differ from the options'; a way between
+/// regions keeps the lane of the region before.
 [[nodiscard]] Route opened_per_ping(const Route& route, const Ground& ground,
-                                    const PlanOptions& options, double step_m = 1.0);
+                                    const PlanOptions& options,
+                                    const std::vector<double>& lanes_m = {}, double step_m = 1.0);
 
 }  // namespace swathplan

@@ -14,7 +14,7 @@ Outcome simulated_hits(const Route& route, const Ground& ground, const PlanOptio
   const Score score = swathplan::score(route, ground, options.sonar, options.vehicle, how).score;
   Outcome outcome;
   outcome.length_ratio = score.route.length_ratio;
-  outcome.cover_pct = score.all.hit_pct;
+  outcome.cover_pct = options.counted == Counted::logged ? score.logged.hit_pct : score.all.hit_pct;
   outcome.turns = score.route.turns;
   outcome.length_m = score.route.length_m;
   outcome.duration_s = score.route.duration_s;

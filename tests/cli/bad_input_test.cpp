@@ -136,15 +136,16 @@ TEST(BadOptions, NameOptionValueAndRule) {
   expect_refusal(folder, plan(file, "--contingency nan"), 2, {"--contingency", "nan"});
   expect_refusal(folder, plan(file, "--start here"), 2, {"--start"});
   expect_refusal(folder, "plan " + file + " --planner magic -o out", 2, {"magic", "mdnuc"});
-  expect_refusal(folder, plan(file, "--cover footprint --hit-only"), 2, {"--cover", "--hit-only"});
+  expect_refusal(folder, "plan " + file + " --cover footprint --hit-only -o out", 2,
+                 {"--cover", "--hit-only"});
   expect_refusal(folder, plan(file, "--resolution 1e9"), 2, {"--resolution 1e+09", "80.0 x 80.0"});
   expect_refusal(folder, plan(file, "--ping-spacing 1e6"), 2, {"--ping-spacing", "100 metres"});
-  expect_refusal(folder, plan(file, "--heading 400"), 2, {"--heading 400", "360"});
+  expect_refusal(folder, "plan " + file + " --heading 400 -o out", 2, {"--heading 400", "360"});
   expect_refusal(folder, plan(file, "--z-unit 100"), 1, {"range", "norbit-iwbms", "--z-unit"});
   expect_refusal(folder, "plna " + file, 2, {"'plna'", "plan, compare"});
   EXPECT_EQ(folder.run(plan(file, "--seed -1")).code, 2);
   EXPECT_EQ(folder.run("plan " + file + " -o ''").code, 2);
-  EXPECT_EQ(folder.run(plan(file, "--cover sight")).code, 2);
+  EXPECT_EQ(folder.run("plan " + file + " --cover sight -o out").code, 2);
   EXPECT_EQ(folder.run(plan(file, "--faces hexagon")).code, 2);
   EXPECT_EQ(folder.run("plan").code, 2);
   EXPECT_EQ(folder.run("").code, 2);

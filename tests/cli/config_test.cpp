@@ -28,7 +28,7 @@ TEST(Config, APlanIsMadeAgainFromItsOutputs) {
   const auto first = folder.run(
       "plan flat.asc --planner mdnuc --resolution 0.5 --vehicle small-usv --clearance 0.2 --noise "
       "calm --seed 18446744073709551615 --depth-bands 1 --xy-unit 1 --hit-only --area area.geojson "
-      "--line-margin 5 --export dxf --quiet -o out");
+      "--face-size 0.9 --export dxf --quiet -o out");
   ASSERT_EQ(first.code, 0) << first.err;
   folder.write("out/area.geojson", kSquare);
   for (const std::string config : {"out/plan.json", "out/score.json", "out/survey.toml"}) {

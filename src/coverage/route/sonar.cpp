@@ -41,6 +41,22 @@ Angle half_angle(const Sonar& sonar, double width_m, double depth_m) {
   return std::min(wanted, sonar.max_opening / 2.0);
 }
 
+Angle widest_half_angle(const Sonar& sonar, double depth_m) {
+  // Reach falls and range grows with the angle, so bisection finds where they meet.
+  const auto meets = [&](double t) {
+    return depth_m / std::cos(t) <= reach_m(sonar, Angle::radians(t));
+  };
+  double low = 0.0;
+  double high = sonar.max_opening.rad() / 2.0;
+  if (meets(high)) return Angle::radians(high);
+  if (!meets(low)) return {};
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (meets(middle) ? low : high) = middle;
+  }
+  return Angle::radians(low);
+}
+
 Angle gap_free_half_angle(const Sonar& sonar, double depth_m, double cell_m) {
   // 2 t sec^2(t) grows with t on [0, 90) degrees, so bisection finds the one root.
   const double target = cell_m * static_cast<double>(sonar.beams - 1) / std::max(depth_m, 1e-6);

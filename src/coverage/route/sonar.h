@@ -43,6 +43,9 @@ struct Sonar {
 /// Half-angle whose two sides together sweep `width_m` at `depth_m`: atan(width / 2 / depth), but
 /// no more than the sonar's.
 [[nodiscard]] Angle half_angle(const Sonar& sonar, double width_m, double depth_m);
+/// Widest half-angle whose outermost beam still meets level ground `depth_m` below the sonar within
+/// its reach and its largest opening; 0 where not even the beam straight down does.
+[[nodiscard]] Angle widest_half_angle(const Sonar& sonar, double depth_m);
 /// Gap-free half-angle t: the largest at which neighbouring equiangular beams on flat ground lie no
 /// farther apart than `cell_m`. It solves 2 t sec^2(t) depth / (beams - 1) = cell, and is no more
 /// than the sonar's.

@@ -17,6 +17,7 @@ namespace {
 /// The fan that the suggestions are for: 256 beams over 100 degrees.
 constexpr double kBeams = 256.0;
 constexpr Angle kHalfAngle = Angle::degrees(50.0);
+constexpr double kOverlap = 0.1;  ///< of neighbouring swaths
 constexpr std::array kCells = {0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0};
 const auto kCellsOfAPlan = static_cast<double>(CoverageGrid::kMaxCells);
 /// Depths beyond this that also exceed the width of the data are hardly metres.
@@ -99,12 +100,14 @@ SuggestedSettings suggest_settings(const Seafloor& seafloor) {
   while (cell + 1 != kCells.end() && too_many(*cell)) ++cell;
   while (cell != kCells.begin() && *cell > size.maxCoeff()) --cell;
   s.resolution_m = *cell;
-  s.swath_m = kBeams * s.resolution_m;
+  s.swath_m = 2.0 * depths.mean * std::tan(t);
+  s.line_spacing_m = s.swath_m * (1.0 - kOverlap);
   const double ratio = depths.max / std::max(depths.min, 0.1 * depths.max);
   s.depth_bands = std::clamp(static_cast<int>(std::lround(std::log2(ratio))), 1, 4);
   s.safe_depth_m = std::min(1.0, std::floor(depths.mean * 5.0) / 10.0);
-  s.lines = static_cast<std::size_t>(std::max(1.0, std::ceil(area / s.swath_m / size.maxCoeff())));
-  s.line_km = area / s.swath_m / 1000.0;
+  s.lines =
+      static_cast<std::size_t>(std::max(1.0, std::ceil(area / s.line_spacing_m / size.maxCoeff())));
+  s.line_km = area / s.line_spacing_m / 1000.0;
   return s;
 }
 
@@ -197,6 +200,7 @@ nlohmann::json inspection_json(const ImportedSeafloor& r) {
       {"suggested",
        {{"resolution_m", s.resolution_m},
         {"swath_m", s.swath_m},
+        {"line_spacing_m", s.line_spacing_m},
         {"depth_bands", s.depth_bands},
         {"safe_depth_m", s.safe_depth_m},
         {"lines", s.lines},
@@ -235,8 +239,11 @@ std::string inspection_text(const ImportedSeafloor& r) {
   if (const std::string hidden = hidden_note(top, r); !hidden.empty()) line("note", hidden);
   for (const std::string& warning : warnings_of(r)) line("WARNING", warning);
   line("try", fmt::format("<resolution> {} <depth bands> {}", s.resolution_m, s.depth_bands));
-  line("", fmt::format("swaths of {:.4g} m, roughly {}, {:.3g} km (256 beams)", s.swath_m,
-                       counted(s.lines, "line"), s.line_km));
+  line("",
+       fmt::format("roughly {} {:.3g} m apart, {:.3g} km (a fan of {:g} degrees sweeps {:.3g} m "
+                   "at the mean depth; {:g} % overlap)",
+                   counted(s.lines, "line"), s.line_spacing_m, s.line_km, 2.0 * kHalfAngle.deg(),
+                   s.swath_m, 100.0 * kOverlap));
   return text;
 }
 

@@ -9,8 +9,9 @@ namespace swathplan {
 
 /// First settings for a survey, derived from the depths.
 struct SuggestedSettings {
-  double resolution_m = 0.1;  ///< cell that a 256-beam fan fills without gaps at the mean depth
-  double swath_m = 25.6;      ///< width of the strip that one line sweeps
+  double resolution_m = 0.1;      ///< cell that a 256-beam fan fills without gaps at the mean depth
+  double swath_m = 25.6;          ///< that a fan of 100 degrees sweeps at the mean depth
+  double line_spacing_m = 23.04;  ///< of such swaths with 10 % overlap
   int depth_bands = 1;
   double safe_depth_m = 1.0;  ///< shoalest depth to plan in
   std::size_t lines = 1;      ///< parallel lines, roughly

@@ -98,12 +98,15 @@ void hold_fans(std::vector<std::vector<Waypoint>>& lines, const WaterRaster& ras
       held = {whole_degrees(percentile(port, kServedShare), options.sonar),
               whole_degrees(percentile(starboard, kServedShare), options.sonar)};
     }
+    if (options.opening_angle) {
+      held = {*options.opening_angle / 2.0, *options.opening_angle / 2.0};
+    }
     const double below = std::max(percentile(depths, kDepthShare) - options.vehicle.draft_m, 0.1);
     const double most = speed_for(held, below, options);
     const double speed = std::floor(most / kSpeedStep + 1e-6) * kSpeedStep;
     if (options.angles == Angles::ping) carry_fans_out(line, survey_area);
     for (Waypoint& w : line) {
-      if (options.angles == Angles::line) w.fan = held;
+      if (options.angles == Angles::line || options.opening_angle) w.fan = held;
       w.speed_mps = std::clamp(speed, options.least_speed_mps, options.vehicle.speed_mps);
     }
   }

@@ -71,9 +71,9 @@ Plan best_mesh_plan(const Ground& ground, const PlanOptions& options,
   options.watch.phase("trying meshes");
   for (Candidate& c : tried) {
     if (done > 0 && options.watch.ended()) break;
-    c.plan = plan_on(mesh_of(area, options, c.face_size * footprint_width_m(options),
-                             Angle::degrees(c.turn_deg)),
-                     connector);
+    c.plan =
+        plan_on(mesh_of(area, options, c.face_size * lane_m(options), Angle::degrees(c.turn_deg)),
+                connector);
     c.outcome = simulated_hits(c.plan.route, ground, options);
     if (c.outcome.cover_pct > most_pct) {
       most_pct = c.outcome.cover_pct;
@@ -92,8 +92,8 @@ Plan best_mesh_plan(const Ground& ground, const PlanOptions& options,
                        [&](const Candidate& a, const Candidate& b) { return worth(a) < worth(b); });
   best->plan.notes.push_back(fmt::format(
       "few faces fit into the area, so their place matters: of {} meshes the simulator chose the "
-      "one with faces of {:.2f} W and its lattice turned by {:.0f} degrees",
-      tried.size(), best->face_size, best->turn_deg));
+      "one with faces of {:.2f} {} and its lattice turned by {:.0f} degrees",
+      tried.size(), best->face_size, options.lane_width_m ? "lanes" : "W", best->turn_deg));
   if (ended) best->plan.notes.push_back(ended_early_note(done, "mesh", "meshes"));
   return std::move(best->plan);
 }

@@ -76,7 +76,7 @@ std::vector<Vec2> pulled(std::vector<Vec2> points, const ThinCover::Pull& pull) 
 SmoothOptions smoothing_for(const PlanOptions& options) {
   SmoothOptions smooth;
   smooth.radius_m = kSmoothReserve * options.vehicle.turn_radius_m;
-  const double width = footprint_width_m(options);
+  const double width = lane_m(options);
   smooth.step_m = width / 16.0;
   smooth.deviation_m = kSmoothReach * width;
   smooth.curvature_weight = 3.0;

@@ -6,6 +6,8 @@
 #include <array>
 #include <utility>
 
+#include "mesh/base/error.h"
+#include "planners/line_spacing.h"
 #include "planners/rows/row_order.h"
 #include "planners/rows/survey_lines.h"
 #include "planners/simulated.h"
@@ -14,43 +16,65 @@
 namespace swathplan {
 namespace {
 
-/// Shifts of all rows, as shares of W. Centred rows come first and stay where no shift is better.
+/// Shifts of all rows, as shares of their spacing. Centred rows come first and stay where no shift
+/// is better.
 constexpr std::array kShifts = {0.0, -0.0625, 0.0625, -0.125, 0.125, -0.1875, 0.1875, -0.25, 0.25};
 
 /// What the rows of all placements share.
 struct Rows {
   Area area;
   Angle azimuth;
-  FanAngles fan;
+  BlockLines laid;
   JoinCost cost;
   Connector connector;
 };
 
+/// Lines as the papers lay them: W apart, with the fan that sweeps W at the mean depth.
+BlockLines laid_by_footprint(const Ground& ground, const PlanOptions& options) {
+  const PlanarMesh mesh = planning_mesh(ground, options);
+  const double mean = mean_depth_m(depth_regions(mesh, shared_edges(mesh), *ground.depths,
+                                                 {.bands = {.count = 1, .limits = {}}}));
+  return {.fan = fan_for_depth(options, mean), .spacing_m = footprint_width_m(options)};
+}
+
+/// @throws InvalidInput where the fan meets no ground.
+BlockLines laid_by_fan(const Area& area, const Ground& ground, const PlanOptions& options) {
+  const BlockLines laid = lines_of_block(block_depths(area, *ground.depths), options);
+  if (laid.spacing_m > 0.0) return laid;
+  throw InvalidInput(fmt::format(
+      "no line can be spaced by the fan: the ground {:.4g} m below the sonar is out of its reach; "
+      "choose another <spacing depth> or <sonar>",
+      laid.depth_m));
+}
+
 std::vector<SurveyLine> lines_of(const Rows& rows, const PlanOptions& options, double shift) {
-  const double width = footprint_width_m(options);
-  return parallel_lines(rows.area, {.azimuth = rows.azimuth,
-                                    .spacing_m = width,
-                                    .inset_m = kLineInset,
-                                    .shift_m = shift * width});
+  return no_shorter_than(options.least_line_m,
+                         parallel_lines(rows.area, {.azimuth = rows.azimuth,
+                                                    .spacing_m = rows.laid.spacing_m,
+                                                    .inset_m = kLineInset,
+                                                    .shift_m = shift * rows.laid.spacing_m,
+                                                    .swath_m = rows.laid.swath_m}));
 }
 
 Plan sailed(const std::vector<SurveyLine>& lines, const Rows& rows, const Ground& ground,
             const PlanOptions& options) {
   Plan plan;
   plan.heading = rows.azimuth;
-  plan.openings = {rows.fan.port + rows.fan.starboard};
+  plan.openings = {rows.laid.fan.port + rows.laid.fan.starboard};
   const double radius = options.vehicle.turn_radius_m;
   BuiltRoute built = shorter_order(options, [&](const RowOrder& order) {
     RouteBuilder builder(ground, options, rows.connector);
     int number = 1;
     for (const SurveyLine& line : ordered(lines, order, rows.cost, radius, options.start)) {
-      builder.add_line(line_waypoints(line, number++, rows.fan, options));
+      builder.add_line(line_waypoints(line, number++, rows.laid.fan, options));
     }
     return builder.built();
   });
   plan.route = std::move(built.route);
   plan.notes = std::move(built.notes);
-  if (options.opening == Opening::ping) plan.route = opened_per_ping(plan.route, ground, options);
+  if (options.opening == Opening::ping) {
+    plan.route = opened_per_ping(plan.route, ground, options, {wanted_swath_m(rows.laid, options)});
+  }
   return plan;
 }
 
@@ -78,7 +102,7 @@ Plan best_placed(const Rows& rows, const Ground& ground, const PlanOptions& opti
     if (!plans.empty() && infeasible_points(plan) > infeasible_points(plans.front())) continue;
     outcomes.push_back(simulated_hits(plan.route, ground, options));
     plans.push_back(std::move(plan));
-    shifts.push_back(shift * footprint_width_m(options));
+    shifts.push_back(shift * rows.laid.spacing_m);
     options.watch.tried(plans.size(), kShifts.size(), brief(outcomes[pick(outcomes, {}).index]));
   }
   const std::size_t best = pick(outcomes, {}).index;
@@ -96,20 +120,22 @@ Plan best_placed(const Rows& rows, const Ground& ground, const PlanOptions& opti
 
 Plan plan_back_and_forth(const Ground& ground, const PlanOptions& options) {
   check(options);
-  const PlanarMesh mesh = planning_mesh(ground, options);
-  const double mean = mean_depth_m(depth_regions(mesh, shared_edges(mesh), *ground.depths,
-                                                 {.bands = {.count = 1, .limits = {}}}));
+  const bool by_fan = options.rows.swath_by == SwathBy::fan;
   Area area = reachable_area(ground);
-  const Angle azimuth = options.heading.value_or(best_azimuth(area, footprint_width_m(options)));
-  const Rows rows{std::move(area), azimuth, fan_for_depth(options, mean),
-                  JoinCost(ground.water, options.vehicle.turn_radius_m),
-                  connector_for(ground, options)};
+  const BlockLines laid =
+      by_fan ? laid_by_fan(area, ground, options) : laid_by_footprint(ground, options);
+  check_rows(area, laid.spacing_m);
+  PlanOptions how = options;
+  how.lane_width_m = laid.spacing_m;
+  const Angle azimuth = how.heading.value_or(best_azimuth(area, laid.spacing_m));
+  const Rows rows{std::move(area), azimuth, laid, JoinCost(ground.water, how.vehicle.turn_radius_m),
+                  connector_for(ground, how)};
 
-  const std::vector<SurveyLine> centred = lines_of(rows, options, 0.0);
-  if (ground.scene != nullptr && !centred.empty() && centred.back().row < kFewRows) {
-    return best_placed(rows, ground, options);
-  }
-  return sailed(centred, rows, ground, options);
+  const std::vector<SurveyLine> centred = lines_of(rows, how, 0.0);
+  const bool few = ground.scene != nullptr && !centred.empty() && centred.back().row < kFewRows;
+  Plan plan = few ? best_placed(rows, ground, how) : sailed(centred, rows, ground, how);
+  if (by_fan) plan.notes.push_back(spacing_note(laid, how));
+  return plan;
 }
 
 }  // namespace swathplan

@@ -76,7 +76,7 @@ Connector connector_for(const Ground& ground, const PlanOptions& options) {
            .frame = ground.seafloor ? ground.seafloor->frame : Frame{}}};
 }
 
-double turn_reach_m(const PlanOptions& options) { return 2.0 * footprint_width_m(options); }
+double turn_reach_m(const PlanOptions& options) { return 2.0 * lane_m(options); }
 
 RouteBuilder::RouteBuilder(const Ground& ground, const PlanOptions& options,
                            const Connector& connector)

@@ -20,14 +20,14 @@ struct BuiltRoute {
 /// What joins lines on this ground for this vehicle. Built once a plan: all its builders share it.
 [[nodiscard]] Connector connector_for(const Ground& ground, const PlanOptions& options);
 
-/// A turn joins lines whose ends lie no farther apart than this, metres: two footprint widths. A
-/// transit joins all others.
+/// A turn joins lines whose ends lie no farther apart than this, metres: two lanes. A transit
+/// joins all others.
 [[nodiscard]] double turn_reach_m(const PlanOptions& options);
 
 /// Joins survey lines into a route that the vehicle can steer. Turns of a line that are too tight
 /// are replaced (steer.h). Run-in and run-out are added. Each line is joined to the one before
-/// through the water (connect.h): by a `turn` where the lines end within two footprint widths of
-/// each other, else by a `transit`. Both keep the fan of the line before and are not logged. Where
+/// through the water (connect.h): by a `turn` where the lines end within two lanes of each
+/// other, else by a `transit`. Both keep the fan of the line before and are not logged. Where
 /// no forward path was found, the join is marked `feasible = false`. With `options.smooth` the
 /// bends of joins are smoothed (join_smoothing.h), until the watch ends the search.
 class RouteBuilder {

@@ -62,7 +62,7 @@ bool among(const std::vector<std::pair<Vec2, Vec2>>& joins, const Vec2& a, const
 }  // namespace
 
 bool rows_need_skips(const PlanOptions& options) {
-  return 2.0 * options.vehicle.turn_radius_m > footprint_width_m(options);
+  return 2.0 * options.vehicle.turn_radius_m > lane_m(options);
 }
 
 std::vector<SurveyLine> ordered(const std::vector<SurveyLine>& lines, const RowOrder& order,
@@ -113,7 +113,7 @@ BuiltRoute shorter_order(const PlanOptions& options,
   best.notes.push_back(
       fmt::format("rows are sailed in the order of the least way, not to and fro: twice the turn "
                   "radius of {:g} m is more than the {:g} m between them",
-                  options.vehicle.turn_radius_m, footprint_width_m(options)));
+                  options.vehicle.turn_radius_m, lane_m(options)));
   return best;
 }
 

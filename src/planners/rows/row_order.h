@@ -22,8 +22,8 @@ struct RowOrder {
   std::vector<std::pair<Vec2, Vec2>> avoided;
 };
 
-/// True where the turn into the next row is wider than W, the distance between rows. To and fro
-/// would take bulbs then.
+/// True where the turn into the next row is wider than a lane, the distance between rows. To and
+/// fro would take bulbs then.
 [[nodiscard]] bool rows_need_skips(const PlanOptions& options);
 
 /// Puts lines in an order and turns each the way that it is sailed. Begins near `start`, if given.

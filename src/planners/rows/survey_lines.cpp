@@ -32,6 +32,12 @@ Range range_along(const Area& area, const Vec2& direction) {
   return range;
 }
 
+double rows_across(double width, const ParallelLinesOptions& options) {
+  constexpr double kDust = 1e-6;  // a row for the width of a rounding error is one too many
+  if (!(options.swath_m > 0.0)) return std::round(width / options.spacing_m);
+  return 1.0 + std::ceil((width - options.swath_m) / options.spacing_m - kDust);
+}
+
 }  // namespace
 
 std::vector<SurveyLine> parallel_lines(const Area& area, const ParallelLinesOptions& options) {
@@ -42,7 +48,7 @@ std::vector<SurveyLine> parallel_lines(const Area& area, const ParallelLinesOpti
   const Range rows = range_along(area, v);
   const Range reach = range_along(area, u);
   const double width = rows.high - rows.low;
-  const auto count = static_cast<int>(std::max(1.0, std::round(width / options.spacing_m)));
+  const auto count = static_cast<int>(std::max(1.0, rows_across(width, options)));
   const double first = rows.low + 0.5 * (width - options.spacing_m * (count - 1)) + options.shift_m;
   for (int row = 0; row < count; ++row) {
     const double offset = first + options.spacing_m * row;
@@ -59,6 +65,15 @@ std::vector<SurveyLine> parallel_lines(const Area& area, const ParallelLinesOpti
       lines.push_back({a + u * (t0 * length + inset), a + u * (t1 * length - inset), row});
     }
   }
+  return lines;
+}
+
+std::vector<SurveyLine> no_shorter_than(double least_m, std::vector<SurveyLine> lines) {
+  const auto is_short = [&](const SurveyLine& line) {
+    return (line.to - line.from).norm() < least_m;
+  };
+  if (std::all_of(lines.begin(), lines.end(), is_short)) return lines;
+  std::erase_if(lines, is_short);
   return lines;
 }
 

@@ -19,14 +19,20 @@ struct ParallelLinesOptions {
   double spacing_m = 1.0;  ///< > 0
   double inset_m = 0.0;    ///< lines stop this far before the outline
   double shift_m = 0.0;    ///< all rows lie this far to the right of where they are centred
+  /// Rows are as many as it takes for swaths so wide to cover the area's width. 0: the width over
+  /// the spacing, rounded.
+  double swath_m = 0.0;
 };
 
-/// Parallel lines over the area at an even spacing. Their number is the area's width over the
-/// spacing, rounded. They are centred (then shifted) and cut to the area. Pieces come row by row,
-/// in the order along it. A piece shorter than a fifth of the spacing is left out where its row has
-/// a longer one.
+/// Parallel lines over the area at an even spacing. They are centred (then shifted) and cut to the
+/// area. Pieces come row by row, in the order along it. A piece shorter than a fifth of the spacing
+/// is left out where its row has a longer one.
 [[nodiscard]] std::vector<SurveyLine> parallel_lines(const Area& area,
                                                      const ParallelLinesOptions& options);
+
+/// The lines that are at least so long; all where none is.
+[[nodiscard]] std::vector<SurveyLine> no_shorter_than(double least_m,
+                                                      std::vector<SurveyLine> lines);
 
 /// The azimuth of lines, in [0, 180) degrees, across which the area is narrowest: the fewest lines
 /// are needed. It is that of one of the outline's longer sides, or a multiple of 5 degrees.

@@ -50,10 +50,12 @@ TEST(Inspection, SuggestsCellsThatTheFanFills) {
   EXPECT_DOUBLE_EQ(suggest_settings(wide).resolution_m, 1.0);
   EXPECT_DOUBLE_EQ(suggest_settings(flat(4, 2, 2000.0)).resolution_m, 2.0);
   const SuggestedSettings s = suggest_settings(flat(256, 100, 6.0));
-  EXPECT_DOUBLE_EQ(s.swath_m, 25.6);
+  // Lines lie by what the fan sweeps, not by beams x cell: 2 x 6 m x tan 50, less 10 % overlap.
+  EXPECT_NEAR(s.swath_m, 14.301, 1e-3);
+  EXPECT_NEAR(s.line_spacing_m, 12.871, 1e-3);
   EXPECT_EQ(s.depth_bands, 1);
-  EXPECT_EQ(s.lines, 4U);
-  EXPECT_NEAR(s.line_km, 1.0, 1e-9);
+  EXPECT_EQ(s.lines, 8U);
+  EXPECT_NEAR(s.line_km, 1.989, 1e-3);
   EXPECT_LT(suggest_settings(flat(10, 10, 0.5)).safe_depth_m, 0.5);
 }
 
