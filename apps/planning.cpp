@@ -176,6 +176,12 @@ void note_beyond_data(const Score& score, std::vector<std::string>& notes) {
       score.pinging.beyond_data_m));
 }
 
+void note_corners(const RouteFigures& figures, const Vehicle& vehicle,
+                  std::vector<std::string>& notes) {
+  std::string note = corners_note(figures, vehicle);
+  if (!note.empty()) notes.push_back(std::move(note));
+}
+
 void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
                     std::vector<std::string>& notes) {
   std::string note = endurance_note(figures, vehicle);
@@ -232,6 +238,7 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
   }
   const double planning = seconds_since(start);
   ScoredRoute scored = scorer.score("scoring", plan.route);
+  note_corners(scored.score.route, how.vehicle, plan.notes);
   note_endurance(scored.score.route, how.vehicle, plan.notes);
   PlannedSurvey planned =
       recorded(planner.name, planner.label, std::move(plan), std::move(scored), site, survey);

@@ -72,6 +72,10 @@ class Scorer {
 /// Adds a note if the route runs on where the sonar reaches no data.
 void note_beyond_data(const Score& score, std::vector<std::string>& notes);
 
+/// Adds a note if the route has corners that cannot be sailed as drawn.
+void note_corners(const RouteFigures& figures, const Vehicle& vehicle,
+                  std::vector<std::string>& notes);
+
 /// Adds a note if the mission does not fit into the vehicle's endurance.
 void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
                     std::vector<std::string>& notes);

@@ -152,6 +152,7 @@ void run(const ScoreCommand& command) {
   const Scorer scorer(*site, survey, Watch(watch));
   ScoredRoute scored = scorer.score("scoring", plan.route);
   note_beyond_data(scored.score, plan.notes);
+  note_corners(scored.score.route, vehicle, plan.notes);
   note_endurance(scored.score.route, vehicle, plan.notes);
   std::vector<PlannedSurvey> surveys;
   const std::string name = command.route.filename().string();
@@ -163,6 +164,7 @@ void run(const ScoreCommand& command) {
   const std::filesystem::path& folder = command.output.folder;
   if (filled) {
     ScoredRoute again = scorer.score("scoring with infill", filled->route);
+    note_corners(again.score.route, vehicle, filled->notes);
     note_endurance(again.score.route, vehicle, filled->notes);
     surveys.push_back(recorded("infill", name + " + infill", std::move(*filled), std::move(again),
                                *site, survey));

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "coverage/route/bends.h"
 #include "mesh/plane/area_query.h"
 #include "mesh/plane/path_meetings.h"
 #include "mesh/plane/segments.h"
@@ -41,13 +42,6 @@ std::vector<char> joining(const Route& route) {
     joins.back() = on_line ? 0 : 1;
   }
   return joins;
-}
-
-// Change of course at b, radians, to port positive.
-double bend(const Vec2& a, const Vec2& b, const Vec2& c) {
-  const Vec2 in = b - a;
-  const Vec2 out = c - b;
-  return turn_angle(in, out);
 }
 
 void add_lengths(const Route& route, RouteFigures& figures) {
@@ -102,25 +96,18 @@ void add_turns(const std::vector<Vec2>& points, const std::vector<char>& joins,
   figures.min_turn_radius_m = kInfinity;
   double way = 0.0;  // since the last bend
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const double before = (points[i] - points[i - 1]).norm();
-    const double after = (points[i + 1] - points[i]).norm();
-    const double angle = bend(points[i - 1], points[i], points[i + 1]);
-    way += before;
+    const CourseChange change = course_change(points[i - 1], points[i], points[i + 1]);
+    const double angle = change.angle_rad;
+    way += change.before_m;
     figures.total_turning_deg += std::abs(angle) * 180.0 / std::numbers::pi;
-    const double tangent = std::tan(0.5 * std::abs(angle));
-    if (tangent > 0.0) {
-      const double half = 0.5 * std::min(before, after);
-      const double radius = half / tangent;
-      if (radius < kStraightRadiusM) {
-        figures.min_turn_radius_m = std::min(figures.min_turn_radius_m, radius);
-      }
-      if (half < (1.0 - kTightShare) * smallest_radius_m * tangent) {
-        // The path that a turn of the smallest radius would need for this bend, but no more than
-        // half of each segment beside it.
-        figures.tight_turn_m +=
-            std::min(0.5 * (before + after), smallest_radius_m * std::abs(angle));
-      }
+    const double radius = bend_radius_m(change, smallest_radius_m);
+    if (radius < kStraightRadiusM) {
+      figures.min_turn_radius_m = std::min(figures.min_turn_radius_m, radius);
     }
+    if (radius < (1.0 - kTightShare) * smallest_radius_m) {
+      figures.tight_turn_m += turn_path_m(change, smallest_radius_m);
+    }
+    figures.sharp_corners += is_corner(change, smallest_radius_m);
     // Smaller bends come from rounding along a straight line.
     constexpr double kStraight = 1e-6;
     if (std::abs(angle) < kStraight) continue;
@@ -216,6 +203,16 @@ std::string endurance_note(const RouteFigures& figures, const Vehicle& vehicle) 
       "the mission takes {:.2f} h with a contingency of {:g} %, {:.2f} h more than the vehicle's "
       "endurance of {:g} h: it must be split",
       hours, 100.0 * vehicle.contingency, hours - vehicle.endurance_h, vehicle.endurance_h);
+}
+
+std::string corners_note(const RouteFigures& figures, const Vehicle& vehicle) {
+  if (figures.sharp_corners == 0) return {};
+  const bool one = figures.sharp_corners == 1;
+  return fmt::format(
+      "{} that cannot be sailed as drawn: the course changes by more than {:g} degrees at one "
+      "waypoint, where the vehicle needs a turn of {:g} m",
+      one ? "1 corner" : fmt::format("{} corners", figures.sharp_corners), kCornerDeg,
+      vehicle.turn_radius_m);
 }
 
 }  // namespace swathplan

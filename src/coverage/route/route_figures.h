@@ -23,11 +23,10 @@ struct RouteFigures {
   std::size_t turns = 0;
   std::size_t sharp_turns = 0;     ///< of them, by at least kSharpTurnDeg
   double total_turning_deg = 0.0;  ///< sum of all changes of course
-  /// Smallest radius of all bends. The radius at a waypoint is that of the arc which touches both
-  /// of its segments and begins in the middle of the shorter one; on a curve of even waypoints this
-  /// is the curve's radius. Infinite for a straight route: bends wider than kStraightRadiusM come
-  /// from rounding. 0 where the route turns back on itself.
+  /// Smallest radius of all bends, as bends.h defines it: 0 at a corner. Infinite for a straight
+  /// route: bends wider than kStraightRadiusM come from rounding.
   double min_turn_radius_m = 0.0;
+  std::size_t sharp_corners = 0;     ///< corners (bends.h) that cannot be sailed as drawn
   std::size_t self_crossings = 0;    ///< places, see mesh/path_meetings.h
   std::size_t shared_stretches = 0;  ///< places where the path runs along itself
   double shared_m = 0.0;             ///< metres sailed along earlier stretches
@@ -68,6 +67,10 @@ inline constexpr double kDepthStepM = 1.0;
 /// What to say of a mission that does not fit into the vehicle's endurance, contingency included.
 /// One sentence without a full stop; empty if the mission fits.
 [[nodiscard]] std::string endurance_note(const RouteFigures& figures, const Vehicle& vehicle);
+
+/// What to say of a route with corners that cannot be sailed as drawn. One sentence without a full
+/// stop; empty for a route without.
+[[nodiscard]] std::string corners_note(const RouteFigures& figures, const Vehicle& vehicle);
 
 /// Waypoints nearer than this are one place, metres.
 inline constexpr double kCoincident = 1e-6;

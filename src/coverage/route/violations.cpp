@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coverage/route/bends.h"
 #include "coverage/route/route_figures.h"
 #include "mesh/plane/area_query.h"
-#include "mesh/plane/segments.h"
 
 namespace swathplan {
 namespace {
@@ -62,20 +62,6 @@ void add_outside(const Route& route, const Area& water, std::vector<Violation>& 
   }
 }
 
-/// A bend at a waypoint: its radius as route_figures.h defines it, and the path that is too tight.
-struct Bend {
-  double radius_m, tight_m;
-};
-
-Bend bend(const Vec2& a, const Vec2& b, const Vec2& c, double smallest_m) {
-  const Vec2 in = b - a;
-  const Vec2 out = c - b;
-  const double angle = std::abs(turn_angle(in, out));
-  const double tangent = std::tan(0.5 * angle);
-  const double radius = 0.5 * std::min(in.norm(), out.norm()) / std::max(tangent, 1e-300);
-  return {radius, std::min(0.5 * (in.norm() + out.norm()), smallest_m * angle)};
-}
-
 void add_tight(const Route& route, double smallest_m, std::vector<Violation>& list) {
   std::vector<std::size_t> at;  // waypoints that lie apart
   for (std::size_t i = 0; i < route.waypoints.size(); ++i) {
@@ -90,19 +76,19 @@ void add_tight(const Route& route, double smallest_m, std::vector<Violation>& li
     const Vec2& b = route.waypoints[at[k]].position;
     since += (b - route.waypoints[at[k - 1]].position).norm();
     const bool marked = !route.waypoints[at[k]].feasible || !route.waypoints[at[k - 1]].feasible;
-    const Bend found = bend(route.waypoints[at[k - 1]].position, b,
-                            route.waypoints[at[k + 1]].position, smallest_m);
-    if (marked || found.radius_m >= (1.0 - kTightShare) * smallest_m) continue;
+    const CourseChange change =
+        course_change(route.waypoints[at[k - 1]].position, b, route.waypoints[at[k + 1]].position);
+    const double radius = bend_radius_m(change, smallest_m);
+    if (marked || radius >= (1.0 - kTightShare) * smallest_m) continue;
     if (!open || since > kCurveGapM) {
-      list.push_back(
-          {.kind = ViolationKind::tight_turn, .first = at[k - 1], .radius_m = found.radius_m});
+      list.push_back({.kind = ViolationKind::tight_turn, .first = at[k - 1], .radius_m = radius});
     }
     open = true;
     since = 0.0;
     Violation& turn = list.back();
     turn.last = at[k + 1];
-    turn.length_m += found.tight_m;
-    turn.radius_m = std::min(turn.radius_m, found.radius_m);
+    turn.length_m += turn_path_m(change, smallest_m);
+    turn.radius_m = std::min(turn.radius_m, radius);
   }
 }
 
@@ -144,6 +130,10 @@ std::string reason(const Violation& v, const Route& route, const Vehicle& vehicl
     case ViolationKind::outside_water:
       return "too shoal, on land, too close to a wall, or inside no-go";
     case ViolationKind::tight_turn:
+      if (v.radius_m <= 0.0) {
+        return fmt::format("a corner at one waypoint, where the vehicle needs a turn of {:g} m",
+                           vehicle.turn_radius_m);
+      }
       return fmt::format("a radius of {:.2f} m, where the vehicle needs {:g} m", v.radius_m,
                          vehicle.turn_radius_m);
   }

@@ -24,7 +24,7 @@ struct Violation {
   std::size_t first = 0, last = 0;  ///< waypoint indices, first < last
   double length_m = 0.0;            ///< the part of the stretch that violates
   Vec2 position = Vec2::Zero();     ///< halfway along the stretch, local metres
-  double radius_m = 0.0;            ///< of a tight turn: its smallest, as in route_figures.h
+  double radius_m = 0.0;            ///< of a tight turn: its smallest, as in bends.h
 };
 
 /// All violations of a route: infeasible legs first, then stretches outside the water, then tight

@@ -48,7 +48,8 @@ function listLimits() {
   $('limits-sum').textContent = [
     plan.violations.count
       ? `${f.infeasible_legs} infeasible leg${f.infeasible_legs === 1 ? '' : 's'} (${short(f.infeasible_m)}), ${short(f.outside_water_m)} outside ` +
-        `safe water, ${short(f.tight_turn_m)} tighter than the vehicle turns.`
+        `safe water, ${short(f.tight_turn_m)} tighter than the vehicle turns, ${f.sharp_corners} ` +
+        `corner${f.sharp_corners === 1 ? '' : 's'} that cannot be sailed as drawn.`
       : 'The path stays in safe water and bends no tighter than the vehicle turns.',
     cutOff.count
       ? `Safe water cuts off ${square(cutOff.area_m2)} (${number(cutOff.share_pct, 2)} %) of the survey area in ` +

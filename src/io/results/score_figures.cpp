@@ -71,6 +71,7 @@ void add_route(Json& json, const RouteFigures& route) {
   json["sharp_turns"] = route.sharp_turns;
   json["total_turning_deg"] = route.total_turning_deg;
   json["min_turn_radius_m"] = route.min_turn_radius_m;
+  json["sharp_corners"] = route.sharp_corners;
   json["self_crossings"] = route.self_crossings;
   json["shared_stretches"] = route.shared_stretches;
   json["shared_m"] = route.shared_m;

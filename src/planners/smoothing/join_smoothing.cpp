@@ -148,7 +148,7 @@ bool JoinSmoother::steerable(const Bend& bend) const {
   path.push_back(bend.to.position + radius_ * bend.to.course);
   const LinePoses line(path);
   for (std::size_t i = 0; i < line.points().size(); ++i) {
-    if (line.radius_at(i) < radius_) return false;
+    if (line.radius_at(i, radius_) < radius_) return false;
   }
   return true;
 }

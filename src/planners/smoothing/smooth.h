@@ -53,7 +53,7 @@ struct SmoothResult {
                                        const SmoothOptions& options);
 
 /// The path with each corner replaced by an arc. The arc touches both segments of the corner and
-/// begins in the middle of the shorter one. So its radius is the RouteFigures::min_turn_radius_m of
+/// begins in the middle of the shorter one. So its radius is the bend_radius_m of
 /// the corner. Its chords turn by at most `step_deg`. `source[i]`: the corner that point i belongs
 /// to.
 struct ArcPath {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "coverage/route/bends.h"
 #include "mesh/base/angle.h"
 #include "mesh/plane/segments.h"
 #include "planners/steering/line_poses.h"
@@ -66,24 +67,15 @@ class BendWidener {
   }
 
  private:
-  struct Bend {
-    double before, after, angle;
-  };
-
-  [[nodiscard]] Bend bend(std::size_t k) const {
-    const Vec2 in = places_[k].position - places_[k - 1].position;
-    const Vec2 out = places_[k + 1].position - places_[k].position;
-    return {in.norm(), out.norm(), std::abs(turn_angle(in, out))};
+  [[nodiscard]] CourseChange bend(std::size_t k) const {
+    return course_change(places_[k - 1].position, places_[k].position, places_[k + 1].position);
   }
   [[nodiscard]] bool marked(std::size_t k) const {
     return !route_.waypoints[places_[k].last].feasible ||
            !route_.waypoints[places_[k - 1].last].feasible;
   }
   [[nodiscard]] bool tight(std::size_t k) const {
-    const Bend b = bend(k);
-    return 0.5 * std::min(b.before, b.after) <
-               (1.0 - kRadiusDust) * radius_ * std::tan(0.5 * b.angle) &&
-           !marked(k);
+    return bend_radius_m(bend(k), radius_) < (1.0 - kRadiusDust) * radius_ && !marked(k);
   }
 
   /// Evens the chords around tight bend k. False: the bend stayed tight, and no place moved. The
@@ -125,8 +117,7 @@ class BendWidener {
     for (std::size_t k = std::max<std::size_t>(from, 1); k < std::min(to, places_.size() - 1);
          ++k) {
       if (!tight(k)) continue;
-      const Bend b = bend(k);
-      const double radius = std::min(b.before, b.after) / std::tan(0.5 * b.angle);
+      const double radius = bend_radius_m(bend(k), radius_);
       if (radius < least) {
         least = radius;
         found = k;
@@ -139,15 +130,16 @@ class BendWidener {
   /// before the last one ahead of `to` may move. Empty: no move was possible.
   [[nodiscard]] std::optional<std::size_t> eased(std::size_t k, std::size_t from, std::size_t to,
                                                  double sliver_m) {
-    const Bend b = bend(k);
-    if (b.angle > kCornerSteps * Angle::degrees(kCurveStepDeg).rad()) return std::nullopt;
-    if (std::min(b.before, b.after) < sliver_m) {
-      const std::size_t first = b.before < b.after ? k - 1 : k;
+    const CourseChange b = bend(k);
+    if (std::abs(b.angle_rad) > kCornerSteps * Angle::degrees(kCurveStepDeg).rad())
+      return std::nullopt;
+    if (std::min(b.before_m, b.after_m) < sliver_m) {
+      const std::size_t first = b.before_m < b.after_m ? k - 1 : k;
       const bool free = first > from && first + 2 < to;
       return free && merged(first) ? std::optional(first) : std::nullopt;
     }
     const bool free = k > from && k + 1 < to;
-    const bool chords = std::max(b.before, b.after) < LinePoses::kChordM;
+    const bool chords = std::max(b.before_m, b.after_m) < LinePoses::kChordM;
     return free && chords && centred(k) ? std::optional(k) : std::nullopt;
   }
 

@@ -9,7 +9,7 @@ namespace swathplan {
 
 /// Widens bends that are tighter than `radius_m` only by the way they are written. Two curves meet
 /// with chords of unequal length, or with a sliver (a very short chord) between them. The waypoint
-/// there asks for a tighter turn than either curve (RouteFigures::min_turn_radius_m). Such
+/// there asks for a tighter turn than either curve (bend_radius_m). Such
 /// waypoints move along the path, by less than a chord, until none asks for less than `radius_m`.
 /// The ends of a sliver become one waypoint. A bend that stays tighter (a corner, or no water to
 /// move in) is marked `feasible = false`. Guarantees: (1) only bends at marked legs are tighter

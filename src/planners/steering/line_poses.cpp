@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/plane/segments.h"
+#include "coverage/route/bends.h"
 
 namespace swathplan {
 
@@ -42,14 +42,9 @@ LinePoses::Place LinePoses::at(double along_m) const {
   return {along_m, {points_[j - 1] + share * way, way / length}, std::nullopt, source_[j - 1]};
 }
 
-double LinePoses::radius_at(std::size_t i) const {
+double LinePoses::radius_at(std::size_t i, double turn_radius_m) const {
   if (i == 0 || i + 1 >= points_.size()) return std::numeric_limits<double>::infinity();
-  const Vec2 in = points_[i] - points_[i - 1];
-  const Vec2 out = points_[i + 1] - points_[i];
-  const double bend = std::abs(turn_angle(in, out));
-  const double tangent = std::tan(0.5 * bend);
-  const double half = 0.5 * std::min(in.norm(), out.norm());
-  return tangent > 0.0 ? half / tangent : std::numeric_limits<double>::infinity();
+  return bend_radius_m(course_change(points_[i - 1], points_[i], points_[i + 1]), turn_radius_m);
 }
 
 }  // namespace swathplan

@@ -33,9 +33,9 @@ class LinePoses {
   [[nodiscard]] const std::vector<Vec2>& points() const { return points_; }
   [[nodiscard]] const std::vector<double>& along() const { return along_; }
   [[nodiscard]] const std::vector<std::size_t>& source() const { return source_; }
-  /// The turn radius that point i asks for, as in RouteFigures::min_turn_radius_m; infinite at the
-  /// ends.
-  [[nodiscard]] double radius_at(std::size_t i) const;
+  /// The turn radius that point i asks for (bends.h) of a vehicle that turns on `turn_radius_m`;
+  /// infinite at the ends.
+  [[nodiscard]] double radius_at(std::size_t i, double turn_radius_m) const;
 
   static constexpr double kCoincidentM = 1e-6;
   /// Segments shorter than this are taken for chords of a curve, metres.

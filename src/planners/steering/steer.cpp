@@ -64,7 +64,7 @@ class ReplacementSearch {
 
   /// A replacement must not begin or end at a tight turn.
   [[nodiscard]] bool tight(const LinePoses::Place& place) const {
-    return place.point && line_.radius_at(*place.point) < radius_ * (1.0 - kRadiusDust);
+    return place.point && line_.radius_at(*place.point, radius_) < radius_ * (1.0 - kRadiusDust);
   }
 
   const LinePoses& line_;
@@ -126,7 +126,7 @@ class LineRewriter {
   };
 
   [[nodiscard]] bool tight(std::size_t i) const {
-    return line_.radius_at(i) < radius_ * (1.0 - kRadiusDust);
+    return line_.radius_at(i, radius_) < radius_ * (1.0 - kRadiusDust);
   }
   [[nodiscard]] static double added_m(const Replacement& replacement) {
     return length_of(replacement.points) - (replacement.to - replacement.from);

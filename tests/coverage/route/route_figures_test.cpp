@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "coverage/scenes.h"
 #include "mesh/synthetic.h"
 
@@ -126,11 +129,55 @@ TEST(RouteFigures, AStraightRouteHasNoTurnAndNoRadius) {
   EXPECT_TRUE(f.min_turn_radius_m > 1e6);
 }
 
-TEST(RouteFigures, ACornerBetweenLongSegmentsTakesTheArcThatFits) {
-  const RouteFigures f = figures(route_through({{10, 10}, {30, 10}, {30, 90}}, kLegFan));
-  EXPECT_NEAR(f.min_turn_radius_m, 10.0, 1e-9);
-  EXPECT_NEAR(figures(route_through({{10, 10}, {50, 10}, {20, 10}}, kLegFan)).min_turn_radius_m,
-              0.0, 1e-9);
+TEST(RouteFigures, ACornerIsNoCurveHoweverLongItsLegs) {
+  const auto corner = [](double leg_m, double turn_deg) {
+    const double a = turn_deg * std::numbers::pi / 180.0;
+    return figures(route_through(
+        {{50 - leg_m, 50}, {50, 50}, {50 + leg_m * std::cos(a), 50 + leg_m * std::sin(a)}},
+        kLegFan));
+  };
+  for (const double leg_m : {0.5, 5.0, 45.0}) {
+    SCOPED_TRACE(leg_m);
+    const RouteFigures f = corner(leg_m, 90.0);
+    EXPECT_EQ(f.sharp_corners, 1U);
+    EXPECT_EQ(f.min_turn_radius_m, 0.0);
+    EXPECT_GT(f.tight_turn_m, 0.0);
+    EXPECT_EQ(corner(leg_m, 180.0).sharp_corners, 1U);
+  }
+  EXPECT_EQ(corner(45.0, 16.0).sharp_corners, 1U);
+  const RouteFigures gentle = corner(45.0, 10.0);
+  EXPECT_EQ(gentle.sharp_corners, 0U);
+  EXPECT_NEAR(gentle.min_turn_radius_m, 22.5 / std::tan(std::numbers::pi / 36.0), 1e-6);
+  EXPECT_EQ(gentle.tight_turn_m, 0.0);
+}
+
+TEST(RouteFigures, ACurveThatWasThinnedByDecimetresHasNoCorners) {
+  for (const double radius_m : {1.5, 5.0, 20.0}) {
+    SCOPED_TRACE(radius_m);
+    // Chords that leave the circle by a decimetre.
+    const double step = 2.0 * std::acos(1.0 - 0.1 / radius_m);
+    const auto chords = static_cast<int>(std::ceil(std::numbers::pi / step));
+    Vehicle vehicle;
+    vehicle.turn_radius_m = radius_m;
+    const Flat f;
+    const RouteFigures thinned =
+        route_figures(route_through(arc({50, 50}, radius_m, 0, 180, chords), kLegFan), vehicle,
+                      rectangle(0, 0, 100, 100), f.depths, 1000.0, 10.0);
+    EXPECT_EQ(thinned.sharp_corners, 0U);
+    // The same path asks too much of a boat that turns twice as wide.
+    vehicle.turn_radius_m = 4.0 * radius_m;
+    EXPECT_GT(route_figures(route_through(arc({50, 50}, radius_m, 0, 180, chords), kLegFan),
+                            vehicle, rectangle(0, 0, 100, 100), f.depths, 1000.0, 10.0)
+                  .tight_turn_m,
+              0.0);
+  }
+}
+
+TEST(RouteFigures, CornersAreSaidInOneSentence) {
+  const RouteFigures f = figures(route_through({{10, 10}, {60, 10}, {60, 60}}, kLegFan));
+  const std::string note = corners_note(f, {});
+  EXPECT_EQ(note.find("1 corner that cannot be sailed as drawn"), 0U) << note;
+  EXPECT_EQ(corners_note(figures(route_through({{10, 10}, {60, 10}}, kLegFan)), {}), "");
 }
 
 TEST(RouteFigures, MetresOutsideTheWaterAreMeasured) {

@@ -135,7 +135,7 @@ TEST(WithArcs, ArcsHaveTheRadiusOfTheCorner) {
   const ArcPath path = with_arcs({{0, 0}, {10, 0}, {10, 10}});
   const LinePoses line(path.points);
   for (std::size_t i = 2; i + 2 < line.points().size(); ++i) {
-    EXPECT_NEAR(line.radius_at(i), 5.0, 0.02);
+    EXPECT_NEAR(line.radius_at(i, 5.0), 5.0, 0.02);
   }
 }
 

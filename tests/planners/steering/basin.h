@@ -19,7 +19,7 @@ inline double tightest(const std::vector<Vec2>& path) {
   const LinePoses line(path);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < line.points().size(); ++i) {
-    least = std::min(least, line.radius_at(i));
+    least = std::min(least, line.radius_at(i, 0.0));
   }
   return least;
 }

@@ -54,10 +54,10 @@ TEST(LinePoses, AsksForNearlyTheRadiusOfTheCircleThroughItsPoints) {
   }
   const LinePoses line(points);
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    EXPECT_NEAR(line.radius_at(i), kCircleM * std::cos(0.5 * t), 1e-9);
+    EXPECT_NEAR(line.radius_at(i, kCircleM), kCircleM * std::cos(0.5 * t), 1e-9);
   }
-  EXPECT_EQ(line.radius_at(0), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(line.radius_at(30), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(line.radius_at(0, kCircleM), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(line.radius_at(30, kCircleM), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
