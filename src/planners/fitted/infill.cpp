@@ -31,7 +31,7 @@ class Itinerary {
     // Straight ways are lower bounds of the ways through the water, so they are compared first.
     std::vector<Place> places;
     for (std::size_t k = 0; k <= stretches_.size(); ++k) {
-      if (k < stretches_.size() && stretches_[k].join) continue;
+      if (k < stretches_.size() && (stretches_[k].join || goes_on(k))) continue;
       for (const bool backwards : {false, true}) {
         places.push_back({k, backwards, detour(pass, k, backwards, false)});
       }
@@ -66,6 +66,10 @@ class Itinerary {
         if (s.join && !result.empty()) result.back().pop_back();
         if (result.empty()) result.emplace_back();
         result.back().insert(result.back().end(), s.points.begin(), s.points.end());
+      } else if (!result.empty() && result.back().back().position == s.points.front().position) {
+        // The next leg of one line.
+        result.back().pop_back();
+        result.back().insert(result.back().end(), s.points.begin(), s.points.end());
       } else {
         result.push_back(s.points);
       }
@@ -75,6 +79,11 @@ class Itinerary {
   }
 
  private:
+  /// Whether stretch k is the next leg of the line before it.
+  [[nodiscard]] bool goes_on(std::size_t k) const {
+    return k > 0 && !stretches_[k].join && !stretches_[k - 1].join &&
+           stretches_[k].points.front().position == stretches_[k - 1].points.back().position;
+  }
   [[nodiscard]] double detour(const InfillPass& pass, std::size_t before, bool backwards,
                               bool through_water) const {
     const Vec2 from = backwards ? pass.to : pass.from;
@@ -157,7 +166,8 @@ InfilledRoute with_infill(const Route& route, const CoverageGrid& grid, LineWork
     return std::max(0.0, itinerary.cheapest(pass).cost) + length_of(pass) - length_of(found);
   };
   InfilledRoute result;
-  while (result.passes < static_cast<std::size_t>(options.most_passes) &&
+  double promised = 0.0;
+  while (!result.enough && result.passes < static_cast<std::size_t>(options.most_passes) &&
          !shop.options().watch.ended()) {
     const auto found = empty.take_best(detour);
     if (!found) break;
@@ -168,7 +178,7 @@ InfilledRoute with_infill(const Route& route, const CoverageGrid& grid, LineWork
     auto opened = opened_lines({line}, shop.raster(), width, shop.survey_area(), shop.options(),
                                {.overlap_m = 0.0, .widest_share = 0.5, .by_distance = false});
     if (shop.options().counted == Counted::logged) {
-      hold_fans(opened, shop.raster(), shop.survey_area(), shop.options());
+      hold_fans(opened, shop.raster(), shop.survey_area(), shop.options(), options.edge_share);
     }
     std::vector<Waypoint>& points = opened[0];
     for (Waypoint& point : points) {
@@ -177,6 +187,8 @@ InfilledRoute with_infill(const Route& route, const CoverageGrid& grid, LineWork
     }
     itinerary.insert(std::move(points), place.before);
     ++result.passes;
+    promised += found->gain_m2;
+    result.enough = promised >= options.enough_m2;
   }
   if (result.passes == 0) {
     result.built.route = route;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "planners/fitted/line_workshop.h"
 
 namespace swathplan {
@@ -9,12 +11,16 @@ struct InfillOptions {
   double least_gain = 0.06;
   int most_passes = 200;
   double smallest_m2 = 0.0;  ///< smaller gaps get no pass
+  /// No pass more once they promise so much new cover, square metres.
+  double enough_m2 = std::numeric_limits<double>::infinity();
+  double edge_share = 1.0;  ///< as hold_fans takes it
 };
 
 /// A route with extra passes over its gaps.
 struct InfilledRoute {
   BuiltRoute built;
   std::size_t passes = 0;
+  bool enough = false;  ///< they promise what was asked for
 };
 
 /// Adds straight passes over the gaps of any route. Passes are searched in kInfillHeadings

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 
 #include "planners/fitted/held_fans.h"
 #include "planners/fronts/field_lines.h"
@@ -66,26 +68,55 @@ std::vector<Waypoint> backwards(const std::vector<Waypoint>& line) {
 
 std::vector<std::vector<Waypoint>> LineWorkshop::sailed(const std::vector<SurveyCurve>& lines,
                                                         const std::vector<float>& width,
-                                                        const LineAnglesOptions& angles) const {
+                                                        const LineAnglesOptions& angles,
+                                                        double edge_share) const {
   auto opened = opened_lines(lines, raster_, width, survey_area_, options_, angles);
   std::erase_if(opened, [](const auto& line) { return line.size() < 2; });
-  if (options_.counted == Counted::logged) hold_fans(opened, raster_, survey_area_, options_);
+  if (options_.counted == Counted::logged) {
+    hold_fans(opened, raster_, survey_area_, options_, edge_share);
+  }
   std::vector<LineEnds> ends;
   ends.reserve(opened.size());
   for (const auto& line : opened) ends.push_back(ends_of(line));
   std::vector<std::vector<Waypoint>> result;
   int number = 1;
-  for (const OrderedLine& next : line_order(ends, joins_, options_.start)) {
+  for (const OrderedLine& next : line_order(ends, cost_of_joins(), options_.start)) {
     result.push_back(next.backwards ? backwards(opened[next.line]) : opened[next.line]);
-    for (Waypoint& point : result.back()) point.line = number;
-    ++number;
+    number = numbered(result.back(), number) + 1;
   }
   return result;
 }
 
+int LineWorkshop::numbered(std::vector<Waypoint>& line, int number) const {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool held = options_.counted == Counted::logged && options_.angles == Angles::line;
+    const bool fresh =
+        held && i > 0 &&
+        (line[i].fan != line[i - 1].fan || line[i].speed_mps != line[i - 1].speed_mps);
+    if (fresh) ++number;
+    line[i].line = number;
+  }
+  return number;
+}
+
+LineCost LineWorkshop::cost_of_joins() const {
+  if (options_.counted != Counted::logged) return std::cref(joins_);
+  // About half a circle is sailed at the speed of turns. The rest is faster where it is long.
+  return [this](const Vec2& a, const Vec2& course_a, const Vec2& b, const Vec2& course_b) {
+    const Vehicle& vehicle = options_.vehicle;
+    const double metres = joins_(a, course_a, b, course_b);
+    const double turn = std::min(metres, std::numbers::pi * vehicle.turn_radius_m);
+    const double rest = metres - turn;
+    const bool fast = rest >= kStraightRadii * vehicle.turn_radius_m;
+    return turn / vehicle.turn_speed_mps +
+           rest / (fast ? vehicle.transit_speed_mps : vehicle.turn_speed_mps);
+  };
+}
+
 BuiltRoute LineWorkshop::build(const std::vector<SurveyCurve>& lines,
-                               const std::vector<float>& width, const LineAnglesOptions& angles) {
-  return join(sailed(lines, width, angles));
+                               const std::vector<float>& width, const LineAnglesOptions& angles,
+                               double edge_share) {
+  return join(sailed(lines, width, angles, edge_share));
 }
 
 Outcome LineWorkshop::estimate(const std::vector<SurveyCurve>& lines,
@@ -95,7 +126,7 @@ Outcome LineWorkshop::estimate(const std::vector<SurveyCurve>& lines,
   const Vehicle& vehicle = options_.vehicle;
   double joins = 0.0;          // metres of joins, less the straight ways that are scored for them
   double joins_seconds = 0.0;  // the same in seconds
-  for (const auto& line : sailed(lines, width, angles)) {
+  for (const auto& line : sailed(lines, width, angles, 1.0)) {
     auto& w = route.waypoints;
     const LineEnds here = ends_of(line);
     if (!w.empty()) {

@@ -43,8 +43,10 @@ class LineWorkshop {
   [[nodiscard]] double price();
 
   /// Lines with their fans opened, ordered and joined.
+  /// `edge_share`: as hold_fans takes it, where fans are held.
   [[nodiscard]] BuiltRoute build(const std::vector<SurveyCurve>& lines,
-                                 const std::vector<float>& width, const LineAnglesOptions& angles);
+                                 const std::vector<float>& width, const LineAnglesOptions& angles,
+                                 double edge_share = 1.0);
   /// Judges lines without steered joins: the metres of joins are estimated, and joins sound
   /// nothing. In narrow water this is a tenth of the work.
   [[nodiscard]] Outcome estimate(const std::vector<SurveyCurve>& lines,
@@ -74,7 +76,13 @@ class LineWorkshop {
   /// Lines with their fans, in their order, each turned the way that it is sailed.
   [[nodiscard]] std::vector<std::vector<Waypoint>> sailed(const std::vector<SurveyCurve>& lines,
                                                           const std::vector<float>& width,
-                                                          const LineAnglesOptions& angles) const;
+                                                          const LineAnglesOptions& angles,
+                                                          double edge_share) const;
+  /// Numbers the line from `number` on: a new number where a held fan or its speed changes. Returns
+  /// the last one.
+  [[nodiscard]] int numbered(std::vector<Waypoint>& line, int number) const;
+  /// What joins cost: metres, and where logged lines count, seconds.
+  [[nodiscard]] LineCost cost_of_joins() const;
   const Ground& ground_;
   const PlanOptions& options_;
   PlanOptions with_arcs_;

@@ -103,8 +103,8 @@ std::vector<SurveyCurve> field_lines(const WaterRaster& raster, const std::vecto
                                      const AreaQuery& lines_in, const FieldWall& wall,
                                      double tolerance_m, const FieldLinesOptions& options) {
   const Front front = march(raster, width, front_of(raster, width, wall, tolerance_m));
-  return pieces_of(front_lines(raster, front, 0.5 * options.spacing, options.spacing, kCurveStep,
-                               options.smooth_passes),
+  return pieces_of(front_lines(raster, front, 0.5 * options.spacing, options.spacing,
+                               options.step_m, options.smooth_passes),
                    raster, width, lines_in);
 }
 

@@ -18,8 +18,9 @@ struct FieldWall {
                                                 std::size_t at_most);
 
 struct FieldLinesOptions {
-  double spacing = 1.0;    ///< swaths from line to line, > 0
-  int smooth_passes = 60;  ///< of a binomial filter over points kCurveStep apart
+  double spacing = 1.0;        ///< swaths from line to line, > 0
+  int smooth_passes = 60;      ///< of a binomial filter over points `step_m` apart
+  double step_m = kCurveStep;  ///< > 0; a few times less than bends are wide
 };
 
 /// Survey lines along the level sets u = (k + 1/2) spacing, where |grad u| = 1/W and u = 0 on the
@@ -43,8 +44,8 @@ struct FieldLinesOptions {
                                                    double first, double spacing, double step_m,
                                                    int smooth_passes);
 
-/// The pieces of smooth curves inside `lines_in`. Points of the curves are kCurveStep apart, those
-/// of the pieces kFieldStep. Pieces shorter than kShortestField of their swath are left out.
+/// The pieces of smooth curves inside `lines_in`. The pieces have kFieldParts times as many points.
+/// Pieces shorter than kShortestField of their swath are left out.
 [[nodiscard]] std::vector<SurveyCurve> pieces_of(const std::vector<SurveyCurve>& curves,
                                                  const WaterRaster& raster,
                                                  const std::vector<float>& width,

@@ -107,7 +107,8 @@ class SideReach {
       own_below = down;
       result = steepest;
     });
-    const double reach = std::min(own + how_.overlap_m + kStepOfCell * raster_.cell_m(), edge);
+    const double past = how_.overlap_m + how_.overlap_share * width_at(s.middle);
+    const double reach = std::min(own + past + kStepOfCell * raster_.cell_m(), edge);
     return std::max(result, reach / own_below);
   }
 

@@ -7,8 +7,9 @@
 namespace swathplan {
 
 struct LineAnglesOptions {
-  double overlap_m = 0.4;     ///< how far a side reaches past the boundary to its neighbour, >= 0
-  double widest_share = 1.0;  ///< the largest share of W that one side may reach
+  double overlap_m = 0.4;      ///< how far a side reaches past the boundary to its neighbour, >= 0
+  double overlap_share = 0.0;  ///< the same as a share of W, on top of it, >= 0
+  double widest_share = 1.0;   ///< the largest share of W that one side may reach
   /// True: lines meet half-way in metres, not in swaths. This is for steps in the seafloor, where a
   /// line over the deep would else reach up onto the shoal and spread its beams too widely.
   bool by_distance = false;

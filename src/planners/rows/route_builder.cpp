@@ -32,6 +32,29 @@ void cut_end(std::vector<Waypoint>& line, double off) {
   if ((line.back().position - last.position).norm() > LinePoses::kCoincidentM) line.push_back(last);
 }
 
+/// Makes the straight stretches of a join transits, and the rest turns. `join`: its waypoints, and
+/// as the last one the place where it ends.
+void speed_up(std::vector<Waypoint>& join, const Vehicle& vehicle) {
+  // Chords of a curve turn by more than this from one to the next.
+  constexpr double kStraight = 1e-3;
+  const auto course = [&](std::size_t i) -> Vec2 {
+    return (join[i + 1].position - join[i].position).normalized();
+  };
+  for (std::size_t first = 0, next = 0; first + 1 < join.size(); first = next) {
+    double metres = 0.0;
+    next = first;
+    do {
+      metres += (join[next + 1].position - join[next].position).norm();
+      ++next;
+    } while (next + 1 < join.size() && (course(next) - course(first)).norm() < kStraight);
+    const bool straight = metres >= kStraightRadii * vehicle.turn_radius_m;
+    for (std::size_t i = first; i < next; ++i) {
+      join[i].kind = straight ? LegKind::transit : LegKind::turn;
+      join[i].speed_mps = straight ? vehicle.transit_speed_mps : vehicle.turn_speed_mps;
+    }
+  }
+}
+
 /// Cuts `off` metres off the beginning.
 void cut_begin(std::vector<Waypoint>& line, double off) {
   const LinePoses poses(positions(line));
@@ -85,7 +108,8 @@ RouteBuilder::RouteBuilder(const Ground& ground, const PlanOptions& options,
       vehicle_(options.vehicle),
       run_in_(options.run_in_m),
       run_out_(options.run_out_m),
-      turn_reach_(turn_reach_m(options)) {
+      turn_reach_(turn_reach_m(options)),
+      speeds_up_(options.counted == Counted::logged) {
   if (options.smooth) smoother_.emplace(ground.water, connector_, vehicle_.turn_radius_m);
 }
 
@@ -166,9 +190,18 @@ void RouteBuilder::join_to(std::vector<Waypoint>& line) {
   if (overland || (!feasible && ++tight_joins_ <= kJoinsSaid)) notes_.push_back(way.reason);
   if (overland) join.fan.reset();
   before.back() = join;
+  const std::size_t first = before.size() - 1;
   for (std::size_t i = 1; i + 1 < way.points.size(); ++i) {
     join.position = way.points[i];
     before.push_back(join);
+  }
+  if (speeds_up_ && feasible) {
+    std::vector<Waypoint> joining(before.begin() + static_cast<std::ptrdiff_t>(first),
+                                  before.end());
+    joining.push_back(line.front());
+    speed_up(joining, vehicle_);
+    std::copy(joining.begin(), joining.end() - 1,
+              before.begin() + static_cast<std::ptrdiff_t>(first));
   }
   route_.waypoints.resize(line_begin_);
   route_.waypoints.insert(route_.waypoints.end(), before.begin(), before.end());

@@ -24,12 +24,17 @@ struct BuiltRoute {
 /// joins all others.
 [[nodiscard]] double turn_reach_m(const PlanOptions& options);
 
+/// A straight stretch of a join is worth speeding up for if it is this many turn radii long.
+inline constexpr double kStraightRadii = 4.0;
+
 /// Joins survey lines into a route that the vehicle can steer. Turns of a line that are too tight
 /// are replaced (steer.h). Run-in and run-out are added. Each line is joined to the one before
-/// through the water (connect.h): by a `turn` where the lines end within two lanes of each
-/// other, else by a `transit`. Both keep the fan of the line before and are not logged. Where
-/// no forward path was found, the join is marked `feasible = false`. With `options.smooth` the
-/// bends of joins are smoothed (join_smoothing.h), until the watch ends the search.
+/// through the water (connect.h): by a `turn` where the lines end within two lanes of
+/// each other, else by a `transit`. Both keep the fan of the line before and are not logged. Where
+/// logged legs count, the boat speeds up on the way: straight stretches of kStraightRadii turn
+/// radii or more are a `transit`, and all else of a join is a `turn`. Where no forward path was
+/// found, the join is marked `feasible = false`. With `options.smooth` the bends of joins are
+/// smoothed (join_smoothing.h), until the watch ends the search.
 class RouteBuilder {
  public:
   /// `connector` is that of this ground and vehicle and must outlive the builder.
@@ -65,6 +70,7 @@ class RouteBuilder {
   Vehicle vehicle_;
   double run_in_, run_out_;
   double turn_reach_;
+  bool speeds_up_;  // on straight stretches of joins
   Route route_;
   std::size_t line_begin_ = 0;  // of the last line in the route
   std::vector<std::string> notes_;

@@ -61,6 +61,47 @@ TEST(HeldFans, TheSpeedLaysTheSoundingsWanted) {
   EXPECT_NEAR(speed * 10.0, std::round(speed * 10.0), 1e-9);
 }
 
+TEST(HeldFans, TheEdgeMayLeaveSoundingsToTheNeighbour) {
+  // Half of 40 soundings asks for the speed that all of 20 does.
+  Held alone, shared;
+  alone.options.soundings = 20.0;
+  shared.options.soundings = 40.0;
+  hold_fans(alone.lines, alone.raster, alone.area, alone.options);
+  hold_fans(shared.lines, shared.raster, shared.area, shared.options, 0.5);
+  EXPECT_EQ(shared.lines[0].front().speed_mps, alone.lines[0].front().speed_mps);
+  EXPECT_LT(alone.lines[0].front().speed_mps, alone.options.vehicle.speed_mps);
+}
+
+TEST(HeldFans, ALongLineOverOtherDepthsIsSailedInLegs) {
+  // One half asks for 20 degrees, the other for 60: the wide fan would take the deep half's
+  // soundings.
+  const TestSite site(flat(4000.0, 100.0, 60.0));
+  const WaterRaster raster(site.ground);
+  const AreaQuery area(site.ground.survey_area);
+  Held held;
+  held.options.vehicle.speed_mps = 4.0;
+  held.options.least_line_m = 100.0;
+  std::vector<Waypoint> line;
+  for (int i = 0; i <= 398; ++i) {
+    Waypoint w;
+    w.position = Vec2(10.0 + 10.0 * i, 50.0);
+    const Angle side = Angle::degrees(i < 199 ? 20.0 : 60.0);
+    w.fan = FanAngles{side, side};
+    line.push_back(w);
+  }
+  std::vector<std::vector<Waypoint>> lines{line, {line.begin(), line.begin() + 20}};
+  hold_fans(lines, raster, area, held.options);
+  std::vector<std::size_t> changes;
+  for (std::size_t i = 1; i < lines[0].size(); ++i) {
+    if (lines[0][i].fan != lines[0][i - 1].fan) changes.push_back(i);
+  }
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_NEAR(static_cast<double>(changes[0]), 199.0, 10.0);
+  EXPECT_NEAR(lines[0].back().fan->port.deg(), 60.0, 1e-9);
+  // A short line is not worth a change.
+  for (const Waypoint& w : lines[1]) EXPECT_EQ(w.fan, lines[1].front().fan);
+}
+
 TEST(HeldFans, ByPingOnlyWaypointsBeyondTheAreaTakeTheNearestFanInIt) {
   Held held;
   held.options.angles = Angles::ping;

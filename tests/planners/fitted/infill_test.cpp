@@ -70,6 +70,38 @@ TEST(Infill, ClosesTheGapBetweenTwoLinesAndKeepsTheirOrder) {
   EXPECT_EQ(last, 2);
 }
 
+TEST(Infill, StopsOncePassesPromiseEnough) {
+  const Gap gap;
+  LineWorkshop shop(gap.ground, gap.options);
+  const CoverageGrid grid = shop.score(gap.route).grid;
+  const InfilledRoute all = with_infill(gap.route, grid, shop);
+  const InfilledRoute some = with_infill(gap.route, grid, shop, {.enough_m2 = 1.0});
+  EXPECT_GT(all.passes, 1U);
+  EXPECT_EQ(some.passes, 1U);
+  EXPECT_TRUE(some.enough);
+  EXPECT_FALSE(all.enough);
+}
+
+TEST(Infill, LegsOfALineStayTogether) {
+  Gap gap;
+  // The first line changes its fan half-way.
+  Waypoint middle = gap.route.waypoints[0];
+  middle.position = {8.0, 20.0};
+  middle.line = 3;
+  middle.fan = FanAngles{Angle::degrees(40.0), Angle::degrees(40.0)};
+  gap.route.waypoints.insert(gap.route.waypoints.begin() + 1, middle);
+  LineWorkshop shop(gap.ground, gap.options);
+  const InfilledRoute filled =
+      with_infill(gap.route, shop.score(gap.route).grid, shop, {.least_gain = 0.06});
+  ASSERT_GE(filled.passes, 1U);
+  const auto& w = filled.built.route.waypoints;
+  for (std::size_t i = 1; i < w.size(); ++i) {
+    if (w[i].line != 3 || w[i - 1].line == 3) continue;
+    EXPECT_EQ(w[i - 1].line, 1);
+    EXPECT_EQ(w[i].position, Vec2(8.0, 20.0));
+  }
+}
+
 TEST(Infill, LeavesARouteAloneThatHasEnough) {
   const Gap gap;
   const InfilledRoute same = infilled(gap.route, gap.ground, gap.options, 1.0);

@@ -61,6 +61,39 @@ TEST(RouteBuilder, NearLinesAreJoinedByATurnFarOnesByATransit) {
   EXPECT_EQ(kind_of_join(1.2 * turn_reach_m(bench.how)), LegKind::transit);
 }
 
+TEST(RouteBuilder, WhereLoggedLegsCountAJoinSpeedsUpOnItsStraightStretch) {
+  BuilderBench bench;
+  bench.how.counted = Counted::logged;
+  bench.how.vehicle.transit_speed_mps = 2.0 * bench.how.vehicle.turn_speed_mps;
+  const double radius = bench.how.vehicle.turn_radius_m;
+  const auto joined = [&](double gap) {
+    RouteBuilder builder(bench.site.ground, bench.how, bench.connector);
+    builder.add_line(bench.northward(100, 0));
+    auto back = bench.northward(100 + gap, 1);
+    std::swap(back[0].position, back[1].position);
+    builder.add_line(back);
+    return builder.finish();
+  };
+  const Route far = joined(2.0 * radius + 1.5 * kStraightRadii * radius);
+  std::vector<LegKind> kinds;
+  for (const Leg& leg : legs(far)) kinds.push_back(far.waypoints[leg.first].kind);
+  EXPECT_EQ(kinds, (std::vector<LegKind>{LegKind::line, LegKind::turn, LegKind::transit,
+                                         LegKind::turn, LegKind::line}));
+  for (std::size_t i = 0; i + 1 < far.waypoints.size(); ++i) {
+    const Waypoint& w = far.waypoints[i];
+    const bool straight = w.kind == LegKind::transit;
+    if (w.kind == LegKind::line) continue;
+    EXPECT_EQ(w.speed_mps,
+              straight ? bench.how.vehicle.transit_speed_mps : bench.how.vehicle.turn_speed_mps);
+    if (straight) {
+      const Vec2 course = (far.waypoints[i + 1].position - w.position).normalized();
+      EXPECT_NEAR(course.x(), 1.0, 1e-3);
+    }
+  }
+  const Route near = joined(2.0 * radius + 0.5 * kStraightRadii * radius);
+  for (const Waypoint& w : near.waypoints) EXPECT_NE(w.kind, LegKind::transit);
+}
+
 TEST(RouteBuilder, RunsInAndOutLieStraightBeforeAndBehindTheLine) {
   BuilderBench bench;
   bench.how.run_in_m = 30.0;
