@@ -19,6 +19,7 @@ namespace swathplan {
 namespace {
 
 const char* const kSeafloorGroup = "Seafloor";
+const char* const kHazardGroup = "Charts and hazards";
 const char* const kScoringGroup = "Scoring";
 const char* const kSonarGroup = "Sonar";
 const char* const kVehicleGroup = "Vehicle";
@@ -113,6 +114,17 @@ OptionTable site_options(SiteOptions& o, bool with_file) {
       real("--run-out-margin", kSeafloorGroup, o.run_out_margin_m, kMetres, at_least(0.0),
            "The boat may turn so far beyond the data's outer edge, metres; only where no land is",
            "run_out_margin_m"),
+      texts("--hazards", kHazardGroup, o.hazards,
+            "What to keep off, and how far: FILE (a chart), FILE:LAYER=METRES, or of a chart that "
+            "is the seafloor LAYER=METRES, LAYER=off, or none; several, separated by commas "
+            "(default: the chart's own, with a buffer that grows with the stated accuracy)",
+            "hazards"),
+      path("--keep-off", kHazardGroup, o.keep_off,
+           "Do not sail over these polygons, or within --buffer of these lines and points, but see "
+           "them: their cells count in the coverage",
+           "keep_off_file"),
+      real("--chart-margin", kHazardGroup, o.chart_margin_m, kMetres, at_least(0.0),
+           "So much of a chart around the --area is used, metres", "chart_margin_m"),
   };
 }
 

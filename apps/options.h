@@ -19,9 +19,12 @@ struct SiteOptions {
   std::string z_positive = "up", up = "ask";
   std::optional<double> z_unit_m, xy_unit_m, longest_edge_m, nodata_value;
   std::filesystem::path area, no_go;
-  std::vector<std::string> layers;  ///< of these files; empty: the only one
-  double buffer_m = 0.0;            ///< room around their lines and points; 0: these do not count
-  double run_out_margin_m = 0.0;    ///< beyond the data's edge where the boat may turn
+  std::vector<std::string> layers;   ///< of these files; empty: the only one
+  double buffer_m = 0.0;             ///< room around their lines and points; 0: these do not count
+  double run_out_margin_m = 0.0;     ///< beyond the data's edge where the boat may turn
+  std::filesystem::path keep_off;    ///< not sailed over, but to be seen
+  std::vector<std::string> hazards;  ///< as parse_hazards() reads them
+  double chart_margin_m = 1000.0;    ///< of a chart, how much around the area is used
 };
 
 /// A preset and what overrides it.
@@ -117,7 +120,7 @@ struct ExportChoice {
   std::uint64_t mission_items = 0;
 };
 
-/// FILE and how to read it; optional where a command works without.
+/// FILE and how to read it, with what is kept off; optional where a command works without.
 [[nodiscard]] OptionTable site_options(SiteOptions& site, bool with_file = true);
 /// The row that names the profile; command_line.cpp fills from it what nobody gave.
 [[nodiscard]] Option profile_option(std::string& profile);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "io/charts/hazards_geojson.h"
 #include "io/exports/route_export.h"
 #include "io/files/atomic_file.h"
 #include "io/pictures/coverage_png.h"
@@ -53,6 +54,7 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
   write_coverage_tif(folder / "coverage.tif", survey.scored.grid, frame);
   write_coverage_png(folder / "coverage.png", survey.scored.grid, survey.record.label);
   write_holidays_geojson(folder, survey.scored.score.holidays, frame);
+  if (!site.hazards.list.empty()) write_hazards_geojson(folder, site.hazards, frame);
   if (survey.judged) {
     write_tvu_tif(folder / "tvu.tif", survey.judged->raster, frame);
     write_thu_tif(folder / "thu.tif", survey.judged->raster, frame);
@@ -65,7 +67,7 @@ void remove_old_survey(const std::filesystem::path& folder, const Site& site) {
              site.seafloor().frame.crs_wkt.empty()
                  ? std::vector<std::string>{"route.geojson", "holidays.geojson"}
                  : std::vector<std::string>{"route.local.geojson", "holidays.local.geojson"});
-  remove_old(folder, {"tvu.tif", "thu.tif"});
+  remove_old(folder, {"tvu.tif", "thu.tif", "hazards.geojson"});
   remove_exports(folder, "route", all_export_formats());
 }
 

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "io/charts/hazards.h"
 #include "io/files/crs.h"
 #include "io/seafloor/area_import.h"
 #include "mesh/base/error.h"
+#include "mesh/cropped.h"
 #include "mesh/plane/area_query.h"
 #include "mesh/survey_area.h"
 
@@ -67,16 +70,6 @@ void note_shoals(Site& site, const SurveyAreaOptions& bounds) {
       shoal_m2, bounds.safe_depth_m, pieces(shoal, site.seafloor().frame)));
 }
 
-/// Reads an area. An error about it names its file.
-Area limited_area(const Seafloor& seafloor, const SurveyAreaOptions& bounds,
-                  const std::filesystem::path& file) {
-  try {
-    return survey_area(seafloor, bounds);
-  } catch (const InvalidInput& e) {
-    throw InvalidInput(fmt::format("<area> '{}': {}", file.string(), e.what()));
-  }
-}
-
 /// The polygons of a file. Shapes that do not count are named in the site's notes.
 ImportedArea imported_area(Site& site, const SiteOptions& options,
                            const std::filesystem::path& file, const Box2& data, double clearance_m,
@@ -111,6 +104,89 @@ void note_grid_north(Site& site) {
       "grid north of {} lies {:.2f} degrees {} of true north at the middle of the data; headings "
       "are true (--north grid for the grid's)",
       site.imported.crs_name, std::abs(deg), deg > 0.0 ? "east" : "west"));
+}
+
+/// A chart covers far more than a survey: what lies far off the area is left out.
+void crop_chart(Site& site, const SiteOptions& options, const Area& asked) {
+  if (site.imported.kind != "chart") return;
+  Box2 box = extent(asked);
+  box.min.array() -= options.chart_margin_m;
+  box.max.array() += options.chart_margin_m;
+  site.imported.seafloor = cropped(site.imported.seafloor, box);
+  if (site.seafloor().faces.empty()) {
+    throw InvalidInput(fmt::format(
+        "<area> '{}': the chart '{}' shows no water within {:g} m of it, only land or ground that "
+        "was never surveyed",
+        options.area.string(), site.imported.file, options.chart_margin_m));
+  }
+  site.notes.push_back(fmt::format(
+      "the chart is used up to {:g} m around the area (--chart-margin)", options.chart_margin_m));
+}
+
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error);
+}
+
+/// The hazards of the chart that is the seafloor, and of the files that were named.
+void add_hazards(Site& site, const SiteOptions& options) {
+  const HazardChoices choices = parse_hazards(options.hazards);
+  const bool from_chart = site.imported.kind == "chart";
+  std::map<std::filesystem::path, std::vector<HazardChoice>> by_file;
+  if (from_chart && choices.unasked) by_file[options.file].push_back({});
+  for (const HazardChoice& choice : choices.list) {
+    if (choice.file.empty() && !from_chart) {
+      throw UsageError("hazards", choice.layer,
+                       "names a layer of a chart, but the seafloor is none; write FILE:LAYER");
+    }
+    const bool own = choice.file.empty() || (from_chart && same_file(choice.file, options.file));
+    by_file[own ? options.file : choice.file].push_back(choice);
+  }
+  const Box2 near = extent(site.seafloor());
+  for (const auto& [file, how] : by_file) {
+    append(site.hazards, read_hazards(file, how, site.seafloor().frame, near));
+  }
+  std::string text;
+  for (const HazardCount& c : site.hazards.counts) {
+    if (c.near == 0) continue;
+    text +=
+        fmt::format("{}{} of {} {} (buffer {})", text.empty() ? "" : ", ", c.near, c.found, c.layer,
+                    c.least_buffer_m == c.most_buffer_m
+                        ? fmt::format("{:.4g} m", c.most_buffer_m)
+                        : fmt::format("{:.4g} to {:.4g} m", c.least_buffer_m, c.most_buffer_m));
+  }
+  if (!site.hazards.counts.empty()) {
+    site.notes.push_back("hazards kept off here: " + (text.empty() ? "none" : text));
+  }
+  for (const std::string& note : site.hazards.notes) site.notes.push_back(in_flags(note));
+  site.imported.warnings.insert(site.imported.warnings.end(), site.hazards.warnings.begin(),
+                                site.hazards.warnings.end());
+}
+
+/// What is found in an area that holds nothing to survey.
+std::string what_is_there(const Site& site, const SurveyAreaOptions& bounds) {
+  const double whole_m2 = area_m2(*bounds.limit);
+  const Area charted = intersect(*bounds.limit, outline(site.seafloor()));
+  const Area kept_off = intersect(charted, bounds.no_go);
+  return fmt::format(
+      "of its {:.0f} m2 {:.0f} are charted water, of which {:.0f} lie within the buffers of land, "
+      "shore and no-go areas; the rest of the water is shoaler than {:.2f} m (draft, squat and "
+      "margin)",
+      whole_m2, area_m2(charted), area_m2(kept_off), bounds.safe_depth_m);
+}
+
+/// Reads an area. An error about it names its file.
+Area limited_area(const Site& site, const SurveyAreaOptions& bounds,
+                  const std::filesystem::path& file) {
+  try {
+    return survey_area(site.seafloor(), bounds);
+  } catch (const InvalidInput& e) {
+    if (site.imported.kind == "chart") {
+      throw InvalidInput(fmt::format("<area> '{}' holds no water to survey: {}", file.string(),
+                                     what_is_there(site, bounds)));
+    }
+    throw InvalidInput(fmt::format("<area> '{}': {}", file.string(), e.what()));
+  }
 }
 
 /// The strip along the data's outer edge, `margin_m` wide. Holes in the data count as land.
@@ -168,35 +244,44 @@ std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehic
   watch.phase(fmt::format("reading {}", options.file.filename().string()));
   site->imported = import_seafloor(options.file, import_options(options));
   watch.phase("working out areas and safe water");
-  site->depths = std::make_unique<DepthQuery>(site->seafloor());
   SurveyAreaOptions bounds;
   bounds.safe_depth_m = safe_depth_m(vehicle);
   const Box2 data = extent(site->seafloor());
-  if (!options.no_go.empty()) {
-    site->no_go = bounds.no_go =
-        imported_area(*site, options, options.no_go, data, vehicle.clearance_m, Rounding::around)
-            .area;
+  if (!options.area.empty()) {
+    ImportedArea asked =
+        imported_area(*site, options, options.area, data, vehicle.clearance_m, Rounding::within);
+    bounds.limit = std::move(asked.area);
+    if (asked.parts.size() > 1) site->parts = std::move(asked.parts);
+    crop_chart(*site, options, *bounds.limit);
+    note_beyond_data(*site, *bounds.limit);
   }
-  const Area deep = survey_area(site->seafloor(), bounds);
-  Area sailable = deep;
+  site->depths = std::make_unique<DepthQuery>(site->seafloor());
+  add_hazards(*site, options);
+  const auto kept_off = [&](const std::filesystem::path& file, bool to_be_seen) {
+    Area area = united_area(site->hazards, to_be_seen);
+    if (file.empty()) return area;
+    Area typed =
+        imported_area(*site, options, file, data, vehicle.clearance_m, Rounding::around).area;
+    return area.empty() ? typed : unite(area, typed);
+  };
+  site->no_go = bounds.no_go = kept_off(options.no_go, false);
+  site->keep_off = kept_off(options.keep_off, true);
+  site->survey_area = bounds.limit ? limited_area(*site, bounds, options.area)
+                                   : survey_area(site->seafloor(), bounds);
+  SurveyAreaOptions anywhere = bounds;
+  anywhere.limit.reset();
+  Area sailable = bounds.limit ? survey_area(site->seafloor(), anywhere) : site->survey_area;
   if (options.run_out_margin_m > 0.0) {
     const Area strip = beyond_the_edge(site->seafloor(), options.run_out_margin_m);
-    sailable = subtract(unite(deep, strip), site->no_go);
+    sailable = subtract(unite(sailable, strip), site->no_go);
   }
+  if (!site->keep_off.empty()) sailable = subtract(sailable, site->keep_off);
   site->water = offset(sailable, -vehicle.clearance_m);
   if (site->water.empty()) {
     throw InvalidInput(
         fmt::format("no water is left {:g} m off walls, shoals and no-go areas; lower --clearance",
                     vehicle.clearance_m));
   }
-  if (!options.area.empty()) {
-    ImportedArea asked =
-        imported_area(*site, options, options.area, data, vehicle.clearance_m, Rounding::within);
-    bounds.limit = std::move(asked.area);
-    if (asked.parts.size() > 1) site->parts = std::move(asked.parts);
-    note_beyond_data(*site, *bounds.limit);
-  }
-  site->survey_area = bounds.limit ? limited_area(site->seafloor(), bounds, options.area) : deep;
   note_grid_north(*site);
   note_shoals(*site, bounds);
   note_cut_off(*site);

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "apps/survey.h"
+#include "io/charts/hazards.h"
 #include "io/seafloor/area_import.h"
 #include "mesh/base/watch.h"
 
@@ -15,6 +16,8 @@ struct Site {
   Area survey_area;  ///< cells that count
   Area water;        ///< safe for the boat: deep enough, clear of walls and no-go
   Area no_go;
+  Area keep_off;                   ///< not sailed over, but its cells count
+  Hazards hazards;                 ///< near the survey; part of no_go or of keep_off
   std::vector<AreaPart> parts;     ///< the polygons that were asked for, where there are several
   double cut_off_m2 = 0.0;         ///< of the survey area outside the safe water
   std::vector<std::string> notes;  ///< one sentence each, for people

@@ -86,6 +86,21 @@ Json violations_json(const PlanRecord& record, const Frame& frame) {
   return list;
 }
 
+/// Their outlines stand in hazards.geojson.
+Json hazards_json(const PlanRecord& record) {
+  Json classes = Json::array();
+  for (const HazardCount& c : record.hazards.counts) {
+    classes.push_back({{"layer", c.layer},
+                       {"found", c.found},
+                       {"near", c.near},
+                       {"without_position", c.without_place},
+                       {"least_buffer_m", c.near > 0 ? Json(c.least_buffer_m) : Json(nullptr)},
+                       {"most_buffer_m", c.near > 0 ? Json(c.most_buffer_m) : Json(nullptr)},
+                       {"to_be_seen", c.to_be_seen}});
+  }
+  return classes;
+}
+
 Json sonar_json(const Sonar& s) {
   return {{"name", s.name},
           {"beams", s.beams},
@@ -125,6 +140,7 @@ std::string plan_json(const PlanRecord& record, const Frame& frame, const Proven
   json["choices"] = choices_json(record);
   json["picked_because"] = record.choices.empty() ? Json(nullptr) : Json(record.chosen_why);
   json["violations"] = violations_json(record, frame);
+  json["hazards"] = hazards_json(record);
   json["notes"] = record.notes;
   return json_text(json);
 }

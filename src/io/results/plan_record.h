@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coverage/route/violations.h"
+#include "io/charts/hazards.h"
 #include "planners/plan.h"
 
 namespace swathplan {
@@ -52,6 +53,7 @@ struct PlanRecord {
   std::optional<Angle> heading;  ///< of straight lines in the frame, where all share one
   Angle grid_north;              ///< true azimuth of the frame's north
   std::vector<PlanViolation> violations;
+  Hazards hazards;  ///< that the boat keeps off
   std::vector<std::string> notes;  ///< one sentence each, for people
 };
 

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <fstream>
 
+#include "io/charts/chart_import.h"
 #include "io/files/crs.h"
 #include "io/files/file_hash.h"
 #include "io/files/known_kinds.h"
+#include "io/files/layer_choice.h"
 #include "io/files/text.h"
 #include "io/files/unpacked.h"
 #include "io/grids/grid_import.h"
@@ -105,12 +107,14 @@ bool starts_like_text(const fs::path& path, std::string_view word) {
   });
 }
 
-std::string kind_of(const fs::path& path) {
+std::string kind_of(const fs::path& path, const std::string& layer) {
   const std::string extension = lower(path.extension().string());
   if (is_mesh_extension(extension)) return "mesh";
   refuse_foreign(path);
   refuse_other_encodings(path);
   if (is_las(path)) return "lidar";
+  // A chart whose soundings alone are asked for by name is a file of points.
+  if (!chosen_layer(layer, {"SOUNDG"}) && is_chart(path)) return "chart";
   if (is_point_file(path)) return "points";
   constexpr std::array kSoundings = {".xyz", ".csv", ".txt", ".pts", ".dat"};
   const bool rows = std::find(kSoundings.begin(), kSoundings.end(), extension) != kSoundings.end();
@@ -129,6 +133,7 @@ SurfaceData read(const fs::path& path, const std::string& kind, const ImportOpti
   if (kind == "mesh") return read_mesh(path);
   const bool down = options.z_positive == ImportOptions::ZPositive::down;
   if (kind == "grid") return read_grid(path, options.nodata, options.layer);
+  if (kind == "chart") return read_chart(path);
   if (kind == "points") {
     SurfaceData data = read_point_file(path, down, options.nodata, options.layer);
     join_lattice(data);
@@ -540,7 +545,7 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
   ImportedSeafloor result;
   result.file = path.string();
   result.input_hash = file_hash(path);
-  result.kind = kind_of(path);
+  result.kind = kind_of(path, options.layer);
   const bool has_columns = result.kind == "soundings";
   SurfaceData data = read(path, result.kind, options);
   if (result.kind == "points" || result.kind == "lidar") result.kind = "soundings";

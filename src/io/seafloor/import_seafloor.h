@@ -36,7 +36,7 @@ struct ImportedSeafloor {
   Seafloor seafloor;
   MeshHealth health;
   std::string file;          ///< as it was given
-  std::string kind;          ///< 'mesh', 'grid' or 'soundings'
+  std::string kind;          ///< 'mesh', 'grid', 'soundings' or 'chart'
   std::string format;        ///< 'OBJ', 'GTiff', 'CSV', ...
   std::string crs_name;      ///< 'EPSG:32633 (WGS 84 / UTM zone 33N)'; 'none'
   std::string file_crs_wkt;  ///< of the file's own coordinates, where `seafloor.frame` has another
@@ -58,8 +58,8 @@ struct ImportedSeafloor {
 [[nodiscard]] Vec2 in_file_of(const ImportedSeafloor& data, const Vec2& local);
 
 /// Reads a triangle mesh (OBJ, PLY, OFF, STL, glTF, COLLADA, ...), a grid (Esri ASCII, GeoTIFF,
-/// BAG, netCDF, S-102, ...) or soundings (XYZ, CSV, LAS, points of a vector file) into the local
-/// frame, clipped at the water level. Files packed as .zip, .tar or .gz are read as they are.
+/// BAG, netCDF, S-102, ...), soundings (XYZ, CSV, LAS, points of a vector file) or a chart (S-57)
+/// into the local frame, clipped at the water level. Files packed as .zip, .tar or .gz are read as they are.
 /// Guarantees: (1) the invariants of `Seafloor`; (2) where the file holds doubles and nothing is
 /// reprojected or scaled, `frame.to_file` of a kept vertex gives the file's coordinates exactly;
 /// (3) the local origin is whole file units, and 0 where all coordinates are under 10,000.
