@@ -51,7 +51,8 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
                    judged_in(survey, site));
   write_plan_json(folder / "plan.json", survey.record, frame, provenance);
   write_coverage_tif(folder / "coverage.tif", survey.scored.grid, frame);
-  write_coverage_png(folder / "coverage.png", survey.scored.grid, survey.record.label);
+  write_coverage_png(folder / "coverage.png", survey.scored.grid, survey.record.label,
+                     survey.scored.score.logged_counts);
   write_holidays_geojson(folder, survey.scored.score.holidays, frame);
   if (survey.judged) {
     write_tvu_tif(folder / "tvu.tif", survey.judged->raster, frame);
