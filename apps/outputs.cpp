@@ -52,7 +52,8 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
                    judged_in(survey, site));
   write_plan_json(folder / "plan.json", survey.record, frame, provenance);
   write_coverage_tif(folder / "coverage.tif", survey.scored.grid, frame);
-  write_coverage_png(folder / "coverage.png", survey.scored.grid, survey.record.label);
+  write_coverage_png(folder / "coverage.png", survey.scored.grid, survey.record.label,
+                     survey.scored.score.logged_counts);
   write_holidays_geojson(folder, survey.scored.score.holidays, frame);
   if (!site.hazards.list.empty()) write_hazards_geojson(folder, site.hazards, frame);
   if (survey.judged) {

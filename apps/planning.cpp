@@ -194,6 +194,7 @@ PlannedSurvey recorded(const std::string& planner, const std::string& label, Pla
                        std::move(scored)};
   result.record.planner = planner;
   result.record.label = label;
+  result.record.pings = survey.scoring.pings;
   result.record.grid_north = Angle::degrees(site.imported.convergence_deg);
   result.record.hazards = site.hazards;
   result.record.notes.insert(result.record.notes.end(), site.notes.begin(), site.notes.end());

@@ -306,6 +306,9 @@ Vehicle vehicle_of(const VehicleChoice& o) {
   return vehicle;
 }
 
+// Outlines of gaps with so many corners take some ten megabytes of holidays.geojson.
+constexpr std::size_t kOutlineCorners = 400'000;
+
 Survey survey_of(const SurveyOptions& o) {
   Survey survey;
   survey.sonar = sonar_of(o.sonar);
@@ -321,6 +324,8 @@ Survey survey_of(const SurveyOptions& o) {
   survey.scoring.noise = noise_of(o.noise);
   survey.judging = judging_of(o.criteria, survey.sonar, o.scoring.sound_speed_mps);
   survey.planning = planning_of(o, survey);
+  survey.scoring.logged_counts = survey.planning.counted == Counted::logged;
+  survey.scoring.outline_corners = kOutlineCorners;
   survey.heading_deg = o.planning.heading_deg;
   survey.north = o.planning.north;
   survey.start_text = o.planning.start;

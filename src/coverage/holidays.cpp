@@ -6,6 +6,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "coverage/cell_outline.h"
 #include "mesh/plane/union_find.h"
 
 namespace swathplan {
@@ -230,8 +231,8 @@ class GapSweep {
   std::vector<Gap> listed_;
 };
 
-// Second sweep: finds for each listed gap the cell nearest its centroid. Its labels are the same as
-// in the first sweep, and their roots are final.
+// Second sweep: finds for each listed gap the cell nearest its centroid, and its cells if outlines
+// are wanted. Its labels are the same as in the first sweep, and their roots are final.
 class PositionSweep {
  public:
   PositionSweep(const CoverageGrid& grid, const HolidayOptions& options, GapSweep& first)
@@ -240,7 +241,11 @@ class PositionSweep {
       index_[first.labels().find(first.listed()[i].label)] = i;
     }
     distance_.assign(first.listed().size(), 1e300);
+    if (options.outline_corners > 0) cells_.resize(first.listed().size());
   }
+
+  /// The cells of each listed gap; none if no outlines are wanted.
+  [[nodiscard]] const std::vector<std::vector<RowRun>>& cells() const { return cells_; }
 
   void run(std::vector<Holiday>& holidays) {
     if (index_.empty()) return;
@@ -262,6 +267,7 @@ class PositionSweep {
   void place(std::uint32_t row, const Run& run, std::vector<Holiday>& holidays) {
     const auto found = index_.find(first_.labels().find(run.label));
     if (found == index_.end()) return;
+    if (!cells_.empty()) cells_[found->second].push_back({row, run.first, run.end});
     const Gap& gap = first_.listed()[found->second];
     const auto n = static_cast<double>(gap.cells);
     const double column =
@@ -277,6 +283,7 @@ class PositionSweep {
   GapSweep& first_;
   std::unordered_map<std::uint32_t, std::size_t> index_;
   std::vector<double> distance_;
+  std::vector<std::vector<RowRun>> cells_;
 };
 
 HolidayCause cause_of(const Gap& gap) {
@@ -317,7 +324,13 @@ Holidays find_holidays(const CoverageGrid& grid, const HolidayOptions& options) 
   GapSweep gaps(grid, options);
   gaps.run(result);
   for (const Gap& gap : gaps.listed()) result.list.push_back(holiday_of(gap, grid));
-  PositionSweep(grid, options, gaps).run(result.list);
+  PositionSweep positions(grid, options, gaps);
+  positions.run(result.list);
+  std::size_t corners = 0;
+  for (std::size_t i = 0; i < positions.cells().size() && corners < options.outline_corners; ++i) {
+    result.list[i].outline = cell_outline(positions.cells()[i], grid.origin(), grid.resolution_m());
+    corners += corner_count(result.list[i].outline);
+  }
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coverage/tracing/coverage_grid.h"
+#include "mesh/plane/polygons.h"
 
 namespace swathplan {
 
@@ -25,12 +26,15 @@ struct Holiday {
   Vec2 position = Vec2::Zero();  ///< centre of a cell of the gap, the one nearest its centroid
   Box2 box;                      ///< extent of its cells
   HolidayCause cause = HolidayCause::between_lines;
+  Polygon outline = {};  ///< along its cells; empty where none was asked for
 };
 
 struct HolidayOptions {
   double smallest_m2 = 0.0;  ///< smaller gaps are counted but not listed
   std::size_t list_at_most = 1000;
-  bool logged_only = false;
+  bool logged_only = false;  ///< gaps of what logged legs cover
+  /// Gaps get their outline, the largest first, until outlines hold so many corners. 0: none.
+  std::size_t outline_corners = 0;
 };
 
 struct Holidays {

@@ -265,7 +265,10 @@ ScoredRoute score(const Route& route, const Ground& ground, const Sonar& sonar,
   Scorer(route, ground, sonar, vehicle.draft_m, options, arena, result.grid).run(figures);
   arena.execute([&] {
     fill_figures(tally(result.grid), options.footprint, figures);
-    figures.holidays = find_holidays(result.grid, {.smallest_m2 = options.holiday_m2});
+    figures.logged_counts = options.logged_counts;
+    figures.holidays = find_holidays(result.grid, {.smallest_m2 = options.holiday_m2,
+                                                   .logged_only = options.logged_counts,
+                                                   .outline_corners = options.outline_corners});
   });
   figures.route = route_figures(route, vehicle, ground.water, *ground.depths,
                                 figures.survey_area_m2, figures.footprint_width_m);

@@ -16,6 +16,9 @@ struct ScoreOptions {
   double resolution_m = 0.10;
   PingTiming pings;
   double holiday_m2 = 0.0;  ///< list holidays of at least this
+  /// The coverage that counts is that of logged legs: holidays are the gaps of it.
+  bool logged_counts = false;
+  std::size_t outline_corners = 0;  ///< of holidays, see HolidayOptions
   /// Not read by `score`: callers that build the scene from these options build it with this.
   Nodata nodata = Nodata::wall;
   TrackNoise noise;
@@ -37,7 +40,7 @@ struct CoverageFigures {
 };
 
 /// What a route covers. `logged` counts the pings of logged legs only. Overlap, several_legs_pct,
-/// the counts and the holidays are of all pings.
+/// and the counts are of all pings.
 struct Score {
   CoverageFigures all, logged;
   double overlap = 0.0;                              ///< mean soundings per covered cell, less 1
@@ -51,7 +54,11 @@ struct Score {
   /// Hours that no plan of the area can go under (standards/area_rate.h). score() leaves it empty:
   /// who scores several routes of a site works it out once.
   std::optional<double> least_hours;
-  Holidays holidays;  ///< of all pings
+  bool logged_counts = false;  ///< as the options said
+  Holidays holidays;           ///< of logged pings where these count, else of all
+
+  /// What counts: `logged` or `all`.
+  [[nodiscard]] const CoverageFigures& counted() const { return logged_counts ? logged : all; }
 };
 
 struct ScoredRoute {

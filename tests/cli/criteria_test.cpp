@@ -73,7 +73,8 @@ TEST(CriteriaCli, AGoodSurveyIsPredictedToPass) {
   EXPECT_EQ(options.at("water_level_uncertainty_m"), 0.04);
   EXPECT_TRUE(std::filesystem::exists(folder / "out" / "tvu.tif"));
   EXPECT_TRUE(std::filesystem::exists(folder / "out" / "thu.tif"));
-  EXPECT_THAT(text_of(folder / "out" / "report.html"), HasSubstr("Will it pass?"));
+  EXPECT_THAT(text_of(folder / "out" / "report.html"),
+              HasSubstr("predicted to pass IHO S-44 Special Order"));
 }
 
 TEST(CriteriaCli, APoorSurveyIsPredictedToFailAndExitsWithThreeWhereItMustPass) {

@@ -139,6 +139,21 @@ TEST(Holidays, LoggedOnlyTakesWhatWasNotLoggedAsEmpty) {
   EXPECT_EQ(find_holidays(grid, {.logged_only = true}).list.at(0).cells, 4U);
 }
 
+TEST(Holidays, GetOutlinesTheLargestFirst) {
+  const CoverageGrid grid = drawn({"######",  //
+                                   "#.##.#",  //
+                                   "#..#.#",  //
+                                   "###.##",  //
+                                   "######"});
+  EXPECT_TRUE(find_holidays(grid, {}).list[0].outline.outer.empty());
+  const Holidays all = find_holidays(grid, {.outline_corners = 100});
+  EXPECT_EQ(all.list[0].outline.outer.size(), 6U);
+  for (const Holiday& gap : all.list) EXPECT_NEAR(area_m2({gap.outline}), gap.area_m2, 1e-12);
+  const Holidays some = find_holidays(grid, {.outline_corners = 6});
+  EXPECT_FALSE(some.list[0].outline.outer.empty());
+  EXPECT_TRUE(some.list[1].outline.outer.empty());
+}
+
 TEST(Holidays, AgreeWithAFloodFillOnRandomGrids) {
   std::mt19937 random(9);
   for (int trial = 0; trial < 30; ++trial) {

@@ -157,6 +157,19 @@ TEST(Score, LoggedFiguresCountLoggedLegsOnly) {
   EXPECT_EQ(with_transit.logged.footprint_pct, logged_only.all.footprint_pct);
 }
 
+TEST(Score, HolidaysAreThoseOfLoggedPingsWhereTheseCount) {
+  const TestGround g(flat(100, 100, 10), Nodata::wall, rectangle(20, 20, 80, 80));
+  Route both = route_through({{50, 10}, {50, 50}, {50, 90}}, even_fan(50));
+  both.waypoints[1].log = false;
+  const Score all = score(both, g.ground, {}, {}, {}).score;
+  const Score logged = score(both, g.ground, {}, {}, {.logged_counts = true}).score;
+  EXPECT_EQ(all.counted().hit_pct, all.all.hit_pct);
+  EXPECT_EQ(logged.counted().hit_pct, logged.logged.hit_pct);
+  const auto share = [](const Score& s) { return 100.0 * s.holidays.total_m2 / s.survey_area_m2; };
+  EXPECT_NEAR(share(all), 100.0 - all.all.hit_pct, 0.01);
+  EXPECT_NEAR(share(logged), 100.0 - logged.logged.hit_pct, 0.01);
+}
+
 TEST(Score, OverlapAndLegsAreCountedPerCell) {
   const TestGround g(flat(100, 100, 10), Nodata::wall, rectangle(37.2, 30, 62.8, 70));
   const double half = std::atan(12.8 / 10.0) * 180 / M_PI;

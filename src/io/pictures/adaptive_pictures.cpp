@@ -105,52 +105,110 @@ void draw_curve(cv::Mat& image, const Axes& a, const ChartCurve& curve, const cv
   }
 }
 
-cv::Mat drawn(const TrackPicture& picture) {
-  constexpr int kBox = 230;
-  cv::Mat image(kBox + kTop + 30, kWidth, CV_8UC3, cv::Scalar::all(255));
-  double low = 0.0;
-  double high = picture.width_m;
-  for (const SurveyTrack& t : picture.tracks) {
-    low = std::min(low, t.across_m);
-    high = std::max(high, t.across_m);
+/// Metres of a track picture on its pixels: one scale for both axes. A box that is far longer than
+/// wide is laid on its side, so that it stays readable.
+struct TrackFrame {
+  double low = 0.0, high = 1.0;  ///< across
+  double length_m = 1.0;
+  double scale = 1.0;  ///< pixels a metre
+  bool lying = false;  ///< along runs to the right, across upwards
+  [[nodiscard]] double width() const { return lying ? length_m : high - low; }
+  [[nodiscard]] double height() const { return lying ? high - low : length_m; }
+  [[nodiscard]] int bottom() const {
+    return kTop + static_cast<int>(std::lround(height() * scale));
   }
-  const double scale = (kWidth - 40.0) / (high - low);
-  const auto x_of = [&](double across) {
-    return 20 + static_cast<int>(std::lround((across - low) * scale));
+  [[nodiscard]] cv::Point at(double across, double along) const {
+    const double x = lying ? along : across - low, y = lying ? across - low : along;
+    return {kLeft + static_cast<int>(std::lround(x * scale)),
+            bottom() - static_cast<int>(std::lround(y * scale))};
+  }
+};
+
+TrackFrame frame_of(const TrackPicture& picture) {
+  constexpr double kTallest = 520.0;  // pixels
+  TrackFrame frame;
+  frame.high = picture.width_m;
+  frame.length_m = picture.length_m;
+  for (const SurveyTrack& t : picture.tracks) {
+    frame.low = std::min(frame.low, t.across_m);
+    frame.high = std::max(frame.high, t.across_m);
+  }
+  frame.lying = picture.length_m > frame.high - frame.low;
+  frame.scale = std::min((kWidth - kLeft - 20.0) / frame.width(), kTallest / frame.height());
+  return frame;
+}
+
+/// Ticks and numbers along both sides, metres.
+void draw_track_axes(cv::Mat& image, const TrackFrame& frame) {
+  const std::string across = "across (m)", along = "along (m)";
+  const auto each = [](double low, double high, const auto& draw) {
+    const double step = tick_step(high - low);
+    for (double v = std::ceil(low / step - 1e-9) * step; v <= high + 1e-9 * step; v += step) {
+      draw(v, fmt::format("{:g}", std::abs(v) < 1e-9 * step ? 0.0 : v));
+    }
   };
-  const auto y_of = [&](double along) {
-    return kTop + 10 +
-           static_cast<int>(std::lround((1.0 - along / picture.length_m) * (kBox - 20)));
+  const auto below = [&](cv::Point p, const std::string& label) {
+    p.y = frame.bottom();
+    cv::line(image, p, p + cv::Point(0, 5), kChartInk);
+    text(image, label, p + cv::Point(-width_of(label) / 2, 18));
   };
+  const auto beside = [&](cv::Point p, const std::string& label) {
+    p.x = kLeft;
+    cv::line(image, p, p + cv::Point(-5, 0), kChartInk);
+    text(image, label, p + cv::Point(-width_of(label) - 8, 4));
+  };
+  each(frame.low, frame.high, [&](double v, const std::string& label) {
+    frame.lying ? beside(frame.at(v, 0.0), label) : below(frame.at(v, 0.0), label);
+  });
+  each(0.0, frame.length_m, [&](double v, const std::string& label) {
+    frame.lying ? below(frame.at(0.0, v), label) : beside(frame.at(0.0, v), label);
+  });
+  const std::string& level = frame.lying ? along : across;
+  text(image, level, {kLeft, frame.bottom() + 38});
+  text(image, frame.lying ? across : along, {4, kTop - 6});
+}
+
+void draw_shade(cv::Mat& image, const TrackPicture& picture, const TrackFrame& frame) {
   const auto columns = picture.shade.size();
   for (std::size_t c = 0; c < columns; ++c) {
     const double step = picture.width_m / static_cast<double>(columns);
     const double v = std::clamp(picture.shade[c], 0.0, 1.0);
     const cv::Scalar colour(255 - 60 * v, 255 - 20 * v * v - 90 * v, 255 - 150 * v);
-    cv::rectangle(image, {x_of(static_cast<double>(c) * step), kTop},
-                  {x_of(static_cast<double>(c + 1) * step), kTop + kBox}, colour, cv::FILLED);
+    cv::rectangle(image, frame.at(static_cast<double>(c) * step, 0.0),
+                  frame.at(static_cast<double>(c + 1) * step, picture.length_m), colour,
+                  cv::FILLED);
   }
-  cv::rectangle(image, {x_of(0), kTop}, {x_of(picture.width_m), kTop + kBox}, kChartInk);
+}
+
+void draw_tracks(cv::Mat& image, const TrackPicture& picture, const TrackFrame& frame) {
   const auto count = static_cast<double>(std::max<std::size_t>(1, picture.tracks.size() - 1));
   for (std::size_t i = 0; i < picture.tracks.size(); ++i) {
     const SurveyTrack& t = picture.tracks[i];
     const double u = static_cast<double>(i) / count;
     const cv::Scalar colour(60 + 20 * u, 30 + 120 * u, 40 + 200 * u);
-    const int start = y_of(t.outbound ? 0.0 : picture.length_m);
-    const int end = y_of(t.outbound ? picture.length_m : 0.0);
-    cv::line(image, {x_of(t.across_m), start}, {x_of(t.across_m), end}, colour, 2, cv::LINE_AA);
+    const double start = t.outbound ? 0.0 : picture.length_m;
+    const double end = picture.length_m - start;
+    cv::line(image, frame.at(t.across_m, start), frame.at(t.across_m, end), colour, 2, cv::LINE_AA);
     if (i + 1 == picture.tracks.size()) break;
     const SurveyTrack& n = picture.tracks[i + 1];
-    cv::line(image, {x_of(t.across_m), end},
-             {x_of(n.across_m), y_of(n.outbound ? 0.0 : picture.length_m)}, colour, 1, cv::LINE_AA);
+    cv::line(image, frame.at(t.across_m, end),
+             frame.at(n.across_m, n.outbound ? 0.0 : picture.length_m), colour, 1, cv::LINE_AA);
   }
+}
+
+cv::Mat drawn(const TrackPicture& picture) {
+  const TrackFrame frame = frame_of(picture);
+  cv::Mat image(frame.bottom() + 50, kWidth, CV_8UC3, cv::Scalar::all(255));
+  draw_shade(image, picture, frame);
+  cv::rectangle(image, frame.at(0.0, 0.0), frame.at(picture.width_m, picture.length_m), kChartInk);
+  draw_tracks(image, picture, frame);
   for (const Vec2& o : picture.objects) {
-    cv::circle(image, {x_of(o.x()), y_of(o.y())}, 4, {40, 40, 220}, cv::FILLED, cv::LINE_AA);
+    cv::circle(image, frame.at(o.x(), o.y()), 4, {40, 40, 220}, cv::FILLED, cv::LINE_AA);
   }
-  text(image, picture.title, {20, 22}, kTitleText);
-  text(image, fmt::format("{:g} m x {:g} m (stretched)", picture.width_m, picture.length_m),
-       {20, kBox + kTop + 18});
-  text(image, picture.shade_label, {kWidth - 20 - width_of(picture.shade_label), kBox + kTop + 18});
+  draw_track_axes(image, frame);
+  text(image, picture.title, {kLeft, 18}, kTitleText);
+  text(image, picture.shade_label,
+       {kWidth - 20 - width_of(picture.shade_label), frame.bottom() + 38});
   return image;
 }
 

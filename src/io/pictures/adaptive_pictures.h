@@ -24,7 +24,8 @@ struct Chart {
 /// @throws InvalidInput if the file cannot be written.
 void write_chart_png(const std::filesystem::path& path, const Chart& chart);
 
-/// Tracks over their box. Colours from dark to light show the order of sailing.
+/// Tracks over their box, in true proportions, with axes in metres. A box that is longer than wide
+/// lies on its side. Colours from dark to light show the order of sailing.
 struct TrackPicture {
   std::string title;
   double width_m = 0.0, length_m = 0.0;

@@ -43,7 +43,7 @@ void swatch(cv::Mat& picture, cv::Rect box, const Rgba& colour) {
 }
 
 /// Soundings per cell at the left, share of empty cells at the right.
-void legend(cv::Mat& picture, int top, bool shares) {
+void legend(cv::Mat& picture, int top, bool shares, bool logged_counts) {
   const std::vector<Rgba> palette = coverage_palette();
   const int step = 62, bar = 20;
   internal::put_text(picture, "Soundings per cell", {kMargin, top}, 0.5, internal::kInk);
@@ -53,8 +53,9 @@ void legend(cv::Mat& picture, int top, bool shares) {
     internal::put_text(picture, kCoveredNames[i], {x, top + 50}, 0.45, kFaint);
   }
   const int left = kMargin + 6 * step + 40, width = 12;
-  internal::put_text(picture, shares ? "Share of cells without a sounding" : "No sounding",
-                     {left, top}, 0.5, internal::kInk);
+  const std::string none = logged_counts ? "without a logged sounding" : "without a sounding";
+  internal::put_text(picture, (shares ? "Share of cells " : "Cells ") + none, {left, top}, 0.5,
+                     internal::kInk);
   for (int i = 1; i <= kEmptySteps; ++i) {
     const int at = kEmpty + (shares ? i : kEmptySteps);
     swatch(picture, {left + (i - 1) * width, top + 12, width, bar},
@@ -77,8 +78,8 @@ void scale_bar(cv::Mat& picture, int baseline, double metres_per_pixel) {
                      internal::kInk);
 }
 
-cv::Mat picture_of(const CoverageGrid& grid, const std::string& title) {
-  const CoverageSummary summary = summarise(grid, kPictureSide);
+cv::Mat picture_of(const CoverageGrid& grid, const std::string& title, bool logged_counts) {
+  const CoverageSummary summary = summarise(grid, kPictureSide, logged_counts);
   const cv::Mat map = map_of(summary);
   const int head = title.empty() ? kMargin : kMargin + 44, foot = 150;
   cv::Mat picture(head + map.rows + foot, std::max(map.cols, kSmallestWidth) + 2 * kMargin, CV_8UC3,
@@ -86,7 +87,7 @@ cv::Mat picture_of(const CoverageGrid& grid, const std::string& title) {
   const int left = (picture.cols - map.cols) / 2;
   map.copyTo(picture(cv::Rect(left, head, map.cols, map.rows)));
   internal::put_text(picture, title, {kMargin, kMargin + 18}, 0.8, internal::kInk);
-  legend(picture, head + map.rows + 40, summary.factor > 1);
+  legend(picture, head + map.rows + 40, summary.factor > 1, logged_counts);
   const double zoom = static_cast<double>(map.cols) / summary.columns;
   scale_bar(picture, head + map.rows + foot - 20, grid.resolution_m() * summary.factor / zoom);
   return picture;
@@ -95,8 +96,8 @@ cv::Mat picture_of(const CoverageGrid& grid, const std::string& title) {
 }  // namespace
 
 void write_coverage_png(const std::filesystem::path& path, const CoverageGrid& grid,
-                        const std::string& title) {
-  internal::write_png(path, picture_of(grid, title));
+                        const std::string& title, bool logged_counts) {
+  internal::write_png(path, picture_of(grid, title, logged_counts));
 }
 
 }  // namespace swathplan

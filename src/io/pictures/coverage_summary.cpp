@@ -26,7 +26,7 @@ std::uint8_t index_of(const Cells& cells) {
 }
 
 /// Adds the grid's row to a line of pixels.
-void add_row(const CoverageGrid& grid, std::uint32_t row, std::uint32_t factor,
+void add_row(const CoverageGrid& grid, std::uint32_t row, std::uint32_t factor, bool logged_counts,
              std::vector<Cells>& line) {
   const std::size_t start = std::size_t{row} * grid.columns();
   for (std::uint32_t column = 0; column < grid.columns(); ++column) {
@@ -35,13 +35,14 @@ void add_row(const CoverageGrid& grid, std::uint32_t row, std::uint32_t factor,
     Cells& cells = line[column / factor];
     ++cells.count;
     cells.soundings += grid.soundings(i);
-    if (grid.soundings(i) == 0) ++cells.empty;
+    if ((logged_counts ? grid.logged_soundings(i) : grid.soundings(i)) == 0) ++cells.empty;
   }
 }
 
 }  // namespace
 
-CoverageSummary summarise(const CoverageGrid& grid, std::uint32_t largest_side) {
+CoverageSummary summarise(const CoverageGrid& grid, std::uint32_t largest_side,
+                          bool logged_counts) {
   const std::uint32_t side = std::max(grid.columns(), grid.rows());
   CoverageSummary out;
   out.factor = std::max(1U, (side + largest_side - 1) / largest_side);
@@ -53,7 +54,7 @@ CoverageSummary summarise(const CoverageGrid& grid, std::uint32_t largest_side) 
     line.assign(out.columns, {});
     const std::uint32_t end = std::min(grid.rows(), (r + 1) * out.factor);
     for (std::uint32_t row = r * out.factor; row < end; ++row) {
-      add_row(grid, row, out.factor, line);
+      add_row(grid, row, out.factor, logged_counts, line);
     }
     const std::size_t start = std::size_t{out.rows - 1 - r} * out.columns;
     for (std::uint32_t c = 0; c < out.columns; ++c) out.pixels[start + c] = index_of(line[c]);

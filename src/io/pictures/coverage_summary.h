@@ -30,8 +30,10 @@ inline constexpr int kEmptySteps = 20;
 inline constexpr std::array<double, 5> kCoveredLimits{1.5, 2.5, 4.5, 8.5, 16.5};
 inline constexpr std::array<const char*, 6> kCoveredNames{"1", "2", "3-4", "5-8", "9-16", "17+"};
 
-/// The grid, summarised so that no side is longer than `largest_side` pixels.
-[[nodiscard]] CoverageSummary summarise(const CoverageGrid& grid, std::uint32_t largest_side);
+/// The grid, summarised so that no side is longer than `largest_side` pixels. With `logged_counts`
+/// a cell that no logged ping sounded is empty; levels are of all pings.
+[[nodiscard]] CoverageSummary summarise(const CoverageGrid& grid, std::uint32_t largest_side,
+                                        bool logged_counts = false);
 
 /// The colours of the indices: blue for covered cells, orange to red for empty ones. People with
 /// red-green blindness can tell them apart. Index 0 is transparent.

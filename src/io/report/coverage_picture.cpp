@@ -5,9 +5,9 @@ namespace {
 constexpr std::uint32_t kLargestSide = 1600, kSmallestSide = 300;
 }  // namespace
 
-CoveragePicture coverage_picture(const CoverageGrid& grid, std::size_t budget) {
+CoveragePicture coverage_picture(const CoverageGrid& grid, bool logged_counts, std::size_t budget) {
   for (std::uint32_t side = kLargestSide;; side = side * 13 / 15) {
-    CoverageSummary summary = summarise(grid, side);
+    CoverageSummary summary = summarise(grid, side, logged_counts);
     CoveragePicture out{.png = png_bytes({.columns = summary.columns,
                                           .rows = summary.rows,
                                           .pixels = std::move(summary.pixels),

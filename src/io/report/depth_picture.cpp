@@ -10,46 +10,24 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Depths at the centres of pixels. NaN where there is no seafloor. Row 0 is the northernmost.
-struct DepthField {
-  std::uint32_t columns, rows;
-  double pixel_m;
-  std::vector<double> depth;
-  [[nodiscard]] double at(std::uint32_t c, std::uint32_t r) const {
-    return c < columns && r < rows ? depth[std::size_t{r} * columns + c] : kNone;
-  }
-};
-
-DepthField sample(const DepthQuery& depths, const Box2& box, std::uint32_t largest_side) {
-  DepthField field;
-  field.pixel_m = box.size().maxCoeff() / largest_side;
-  const auto pixels = [&](double metres) {
-    return std::max(1U, static_cast<std::uint32_t>(std::ceil(metres / field.pixel_m - 1e-9)));
+/// How much deeper it gets per metre to the east and to the south.
+Vec2 gradient(const DepthField& field, std::uint32_t c, std::uint32_t r) {
+  const double here = field.at(c, r);
+  const auto along = [&](double before, double after) {
+    const double from = std::isnan(before) ? here : before, to = std::isnan(after) ? here : after;
+    const int pixels = (std::isnan(before) ? 0 : 1) + (std::isnan(after) ? 0 : 1);
+    return pixels > 0 ? (to - from) / (pixels * field.pixel_m) : 0.0;
   };
-  field.columns = pixels(box.size().x());
-  field.rows = pixels(box.size().y());
-  field.depth.reserve(std::size_t{field.columns} * field.rows);
-  for (std::uint32_t r = 0; r < field.rows; ++r) {
-    for (std::uint32_t c = 0; c < field.columns; ++c) {
-      const Vec2 p(box.min.x() + (c + 0.5) * field.pixel_m,
-                   box.max.y() - (r + 0.5) * field.pixel_m);
-      field.depth.push_back(depths.depth(p).value_or(kNone));
-    }
-  }
-  return field;
+  return {along(field.at(c - 1, r), field.at(c + 1, r)),
+          along(field.at(c, r - 1), field.at(c, r + 1))};
 }
 
 /// The shade of a pixel, from 0 (dark) to kDepthShades - 2 (bright). The light comes from the
 /// north-west, 45 degrees up.
 int shade_at(const DepthField& field, std::uint32_t c, std::uint32_t r, double exaggeration) {
-  const double here = field.at(c, r);
-  const auto slope = [&](double before, double after) {
-    const double a = std::isnan(before) ? here : before, b = std::isnan(after) ? here : after;
-    return exaggeration * (b - a) / (2.0 * field.pixel_m);
-  };
   // Depth is positive down, so the normal of the seafloor leans to where it gets deeper.
-  const double east = slope(field.at(c - 1, r), field.at(c + 1, r));
-  const double south = slope(field.at(c, r - 1), field.at(c, r + 1));
+  const Vec2 lean = exaggeration * gradient(field, c, r);
+  const double east = lean.x(), south = lean.y();
   const double light =
       (-0.5 * east - 0.5 * south + std::sqrt(0.5)) / std::sqrt(1.0 + east * east + south * south);
   constexpr int kLast = kDepthShades - 2;
@@ -78,6 +56,26 @@ std::vector<Rgba> depth_palette() {
   return palette;
 }
 
+Box2 box_of(const DepthField& field) {
+  Box2 box;
+  box.extend(field.corner);
+  box.extend(field.corner + field.pixel_m * Vec2(field.columns, -double(field.rows)));
+  return box;
+}
+
+std::vector<Rgba> slope_palette() {
+  const std::vector<Rgba> ramp{{247, 247, 240, 255},
+                               {253, 216, 140, 255},
+                               {239, 138, 72, 255},
+                               {178, 50, 80, 255},
+                               {72, 20, 90, 255}};
+  std::vector<Rgba> palette{{0, 0, 0, 0}};
+  for (int level = 0; level < kSlopeLevels; ++level) {
+    palette.push_back(blend(ramp, static_cast<double>(level) / (kSlopeLevels - 1)));
+  }
+  return palette;
+}
+
 void range_of(const DepthField& field, DepthPicture& out) {
   out.min_m = std::numeric_limits<double>::max();
   out.max_m = std::numeric_limits<double>::lowest();
@@ -91,21 +89,41 @@ void range_of(const DepthField& field, DepthPicture& out) {
 
 }  // namespace
 
-DepthPicture depth_picture(const DepthQuery& depths, const Box2& box, std::uint32_t largest_side) {
-  const DepthField field = sample(depths, box, largest_side);
+double DepthField::at(std::uint32_t c, std::uint32_t r) const {
+  return c < columns && r < rows ? depth[std::size_t{r} * columns + c] : kNone;
+}
+
+DepthField depth_field(const DepthQuery& depths, const Box2& box, std::uint32_t largest_side) {
+  DepthField field;
+  field.pixel_m = box.size().maxCoeff() / largest_side;
+  field.corner = {box.min.x(), box.max.y()};
+  const auto pixels = [&](double metres) {
+    return std::max(1U, static_cast<std::uint32_t>(std::ceil(metres / field.pixel_m - 1e-9)));
+  };
+  field.columns = pixels(box.size().x());
+  field.rows = pixels(box.size().y());
+  field.depth.reserve(std::size_t{field.columns} * field.rows);
+  for (std::uint32_t r = 0; r < field.rows; ++r) {
+    for (std::uint32_t c = 0; c < field.columns; ++c) {
+      const Vec2 p = field.corner + field.pixel_m * Vec2(c + 0.5, -(r + 0.5));
+      field.depth.push_back(depths.depth(p).value_or(kNone));
+    }
+  }
+  return field;
+}
+
+DepthPicture depth_picture(const DepthField& field) {
   DepthPicture out;
   range_of(field, out);
   const double range = out.max_m - out.min_m;
   out.isobath_m = range > 0.01 ? round_length(range / 5.0) : 1.0;
-  const Vec2 size(field.columns * field.pixel_m, field.rows * field.pixel_m);
-  out.box.extend(Vec2(box.min.x(), box.max.y()));
-  out.box.extend(Vec2(box.min.x() + size.x(), box.max.y() - size.y()));
+  out.box = box_of(field);
   out.picture = {.columns = field.columns,
                  .rows = field.rows,
                  .pixels = std::vector<std::uint8_t>(field.depth.size()),
                  .palette = depth_palette()};
   // The relief is drawn 0.15 times as high as the map is wide. That is easy to read for all depths.
-  const double exaggeration = range > 0.01 ? 0.15 * size.maxCoeff() / range : 1.0;
+  const double exaggeration = range > 0.01 ? 0.15 * out.box.size().maxCoeff() / range : 1.0;
   for (std::uint32_t r = 0; r < field.rows; ++r) {
     for (std::uint32_t c = 0; c < field.columns; ++c) {
       const double depth = field.at(c, r);
@@ -117,6 +135,24 @@ DepthPicture depth_picture(const DepthQuery& depths, const Box2& box, std::uint3
                             : shade_at(field, c, r, exaggeration);
       out.picture.pixels[std::size_t{r} * field.columns + c] =
           static_cast<std::uint8_t>(1 + level * kDepthShades + shade);
+    }
+  }
+  return out;
+}
+
+SlopePicture slope_picture(const DepthField& field) {
+  SlopePicture out;
+  out.box = box_of(field);
+  out.picture = {.columns = field.columns,
+                 .rows = field.rows,
+                 .pixels = std::vector<std::uint8_t>(field.depth.size()),
+                 .palette = slope_palette()};
+  for (std::uint32_t r = 0; r < field.rows; ++r) {
+    for (std::uint32_t c = 0; c < field.columns; ++c) {
+      if (std::isnan(field.at(c, r))) continue;
+      const double steep = Angle::radians(std::atan(gradient(field, c, r).norm())).deg();
+      const int level = std::min(static_cast<int>(steep / kSlopeStepDeg), kSlopeLevels - 1);
+      out.picture.pixels[std::size_t{r} * field.columns + c] = static_cast<std::uint8_t>(1 + level);
     }
   }
   return out;

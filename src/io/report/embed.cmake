@@ -1,17 +1,33 @@
-# cmake -DOUTPUT=file.cpp -DFOLDER=dir -P embed.cmake: writes the report's page, style and scripts
-# into a C++ file, so that the program needs no file beside it.
+# cmake -DOUTPUT=file.cpp -DFOLDER=dir -DSTYLES=... -DLIBRARIES=... -DSCRIPTS=... -P embed.cmake:
+# writes the report's page, styles and scripts into a C++ file, so that the program needs no file
+# beside it.
 set(text "// Written by embed.cmake.\n#include \"io/report/assets_internal.h\"\n\n")
 string(APPEND text "namespace swathplan::internal {\n")
-foreach(asset "kReportPage report.html" "kReportStyle report.css"
-    "kReportScript view.js maps.js page.js limits.js chart.js criteria.js start.js")
-  separate_arguments(parts UNIX_COMMAND "${asset}")
-  list(POP_FRONT parts name)
-  string(APPEND text "const std::string_view ${name} = R\"~asset(")
-  foreach(part IN LISTS parts)
+
+# Each file is one literal; neighbouring literals are joined.
+function(embed name)
+  set(body "const std::string_view ${name} =")
+  foreach(part IN LISTS ARGN)
     file(READ "${FOLDER}/${part}" content)
-    string(APPEND text "${content}")
+    if(part MATCHES "^vendor/.*css$")
+      # Pictures of controls that the page does not use: a page of one file can fetch none.
+      string(REGEX REPLACE "url\\([^)]*\\)" "none" content "${content}")
+    endif()
+    if(part MATCHES "^vendor/.*js$")
+      # Browsers would look for a map that is not there.
+      string(REGEX REPLACE "\n//# sourceMappingURL=[^\n]*" "" content "${content}")
+    endif()
+    if(part MATCHES "LICENSE$")
+      set(content "/*\n${content}*/")
+    endif()
+    string(APPEND body "\n  R\"~asset(${content}\n)~asset\"")
   endforeach()
-  string(APPEND text ")~asset\";\n")
-endforeach()
+  set(text "${text}${body};\n" PARENT_SCOPE)
+endfunction()
+
+embed(kReportPage report.html)
+embed(kReportStyle ${STYLES})
+embed(kReportLibraries ${LIBRARIES})
+embed(kReportScript ${SCRIPTS})
 string(APPEND text "}  // namespace swathplan::internal\n")
 file(WRITE "${OUTPUT}" "${text}")

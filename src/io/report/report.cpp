@@ -5,9 +5,8 @@
 
 #include "io/files/atomic_file.h"
 #include "io/report/assets_internal.h"
+#include "io/report/plan_data_internal.h"
 #include "io/report/report_data_internal.h"
-#include "io/report/verdict_internal.h"
-#include "io/results/provenance_json.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
@@ -65,24 +64,12 @@ std::string filled(std::string_view page, const std::map<std::string_view, std::
   }
 }
 
-std::string overall(const std::vector<ReportPlan>& plans) {
-  std::vector<std::string> names;
-  std::vector<const Score*> scores;
-  for (const ReportPlan& plan : plans) {
-    names.push_back(plan.record->label);
-    scores.push_back(plan.score);
-  }
-  return internal::overall_verdict(names, scores);
-}
-
 /// What a browser without scripts shows.
-std::string plain_list(const std::vector<ReportPlan>& plans) {
+std::string plain_list(const std::vector<internal::ComparedPlan>& plans) {
   std::string out;
-  for (const ReportPlan& plan : plans) {
-    const std::string judged =
-        plan.judged != nullptr ? "It is " + sentence(plan.judged->verdict) + ". " : "";
-    out += "<li><strong>" + escaped(plan.record->label) +
-           "</strong>: " + escaped(judged + internal::verdict(*plan.score)) + "</li>";
+  for (const internal::ComparedPlan& plan : plans) {
+    out += "<li><strong>" + escaped(plan.name) + "</strong>: " + escaped(internal::verdict(plan)) +
+           "</li>";
   }
   return out;
 }
@@ -91,10 +78,14 @@ std::string plain_list(const std::vector<ReportPlan>& plans) {
 
 std::string report_html(const ReportSite& site, const std::vector<ReportPlan>& plans) {
   if (plans.empty()) throw InvalidInput("a report needs at least one plan");
+  const std::vector<internal::ComparedPlan> all = internal::compared(plans);
+  const internal::ComparedPlan& best = all[internal::best_plan(all)];
   return filled(internal::kReportPage, {{"title", escaped(site.title)},
-                                        {"verdict", escaped(overall(plans))},
-                                        {"plain", plain_list(plans)},
+                                        {"verdict", escaped(internal::verdict(best))},
+                                        {"overall", escaped(internal::overall_verdict(all))},
+                                        {"plain", plain_list(all)},
                                         {"style", std::string(internal::kReportStyle)},
+                                        {"libraries", std::string(internal::kReportLibraries)},
                                         {"script", std::string(internal::kReportScript)},
                                         {"data", script_json(internal::report_data(site, plans))}});
 }

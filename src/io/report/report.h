@@ -30,12 +30,13 @@ struct ReportSite {
   Provenance provenance;
 };
 
-/// One self-contained page that opens offline. It says whether each plan is predicted to pass its
-/// criterion, where it was judged by one. It shows side by side what each plan covers and misses; a
-/// map with path, regions and gates; what cannot be sailed as drawn, and why; all figures; the
-/// largest gaps; settings and provenance. Regions and gates are those of the last plan that has
-/// gates, else of the last one with regions. Pictures are scaled down, and paths simplified by less
-/// than a pixel, so that the page stays small.
+/// One self-contained page that opens offline. It begins with the verdict on the best plan in a
+/// surveyor's words and the table of all plans. A map shows the plan that is chosen: depth, slope,
+/// soundings a cell or TVU below; lines, swaths, gaps by their outline, what cannot be sailed as
+/// drawn, safe water and no-go areas above; a boat sails it on a slider of time. Tables of lines,
+/// gaps, rules and all figures follow, charts, settings and provenance. Regions and gates are those
+/// of the last plan that has gates, else of the last one with regions. Pictures are scaled down,
+/// and paths simplified by less than a pixel, so that the page stays small.
 [[nodiscard]] std::string report_html(const ReportSite& site, const std::vector<ReportPlan>& plans);
 
 /// Writes it to a file.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 #include "io/report/verdict_internal.h"
 
@@ -18,7 +20,15 @@ std::string with_commas(double whole) {
   return out;
 }
 
-std::string times(double ratio) { return fmt::format("{:.2f} times the ideal length", ratio); }
+/// Whether it is predicted to pass, or which rules it fails by; the rules' figures stand elsewhere.
+std::string short_sentence(const Verdict& verdict) {
+  if (verdict.pass) return "predicted to pass " + verdict.title;
+  std::string failing;
+  for (const JudgedRule& rule : verdict.rules) {
+    if (!rule.pass) failing += (failing.empty() ? " by " : ", ") + rule.name;
+  }
+  return "predicted to fail " + verdict.title + failing;
+}
 
 }  // namespace
 
@@ -39,19 +49,50 @@ std::string cause_text(HolidayCause cause) {
   return text;
 }
 
+std::string time_text(double seconds) {
+  const auto minutes = static_cast<long>(std::lround(seconds / 60.0));
+  if (seconds < 60.0) return fmt::format("{:.0f} s", seconds);
+  if (minutes < 60) return fmt::format("{} min", minutes);
+  return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
+}
+
+std::string length_text(double metres) {
+  return metres < 1000.0 ? fmt::format("{:.0f} m", metres)
+                         : fmt::format("{:.1f} km", metres / 1000.0);
+}
+
 std::string gaps_text(const Score& score) {
   const Holidays& gaps = score.holidays;
   if (gaps.count == 0) return "No gaps.";
-  std::string text = fmt::format(
-      "{} gap{}, {} m² in all; the largest {} m²", with_commas(static_cast<double>(gaps.count)),
-      gaps.count == 1 ? "" : "s", area_text(gaps.total_m2), area_text(gaps.largest_m2));
-  if (!gaps.list.empty()) text += ", " + cause_text(gaps.list.front().cause);
-  return text + ".";
+  const auto listed = static_cast<std::size_t>(
+      std::count_if(gaps.list.begin(), gaps.list.end(),
+                    [](const Holiday& gap) { return gap.cells >= kSpeckleCells; }));
+  if (listed == 0) return "No gaps but speckle of a cell or a few.";
+  std::string text =
+      fmt::format("{} gap{}", with_commas(static_cast<double>(listed)), listed == 1 ? "" : "s");
+  if (gaps.count > listed) {
+    text += fmt::format(" beside {} smaller one{} or speckle",
+                        with_commas(static_cast<double>(gaps.count - listed)),
+                        gaps.count - listed == 1 ? "" : "s");
+  }
+  return text + fmt::format("; the largest {} m², {}.", area_text(gaps.largest_m2),
+                            cause_text(gaps.list.front().cause));
 }
 
-std::string verdict(const Score& score) {
-  return fmt::format("Covers {} % at {}. {}", percent_text(score.all.hit_pct),
-                     times(score.route.length_ratio), gaps_text(score));
+std::string verdict(const ComparedPlan& plan) {
+  const Score& score = *plan.score;
+  const CoverageFigures& counted = score.counted();
+  std::string text = fmt::format(
+      "{}, {}, {} % {}, 5 soundings in {} % of cells", time_text(score.route.duration_s),
+      length_text(score.route.length_m), percent_text(counted.hit_pct),
+      score.logged_counts ? "logged" : "covered by all pings", percent_text(counted.hit_5_pct));
+  if (plan.judged != nullptr) text += ": " + short_sentence(plan.judged->verdict);
+  text += ".";
+  if (score.least_hours && *score.least_hours > 0.0) {
+    text += fmt::format(" {:.2f} times the least hours that the site can take.",
+                        score.route.duration_s / 3600.0 / *score.least_hours);
+  }
+  return text;
 }
 
 std::vector<std::string> warnings(const Score& score) {
@@ -72,27 +113,42 @@ std::vector<std::string> warnings(const Score& score) {
         "{} leg{} ({:.0f} m) cannot be steered in safe water", score.route.infeasible_legs,
         score.route.infeasible_legs == 1 ? "" : "s", std::ceil(score.route.infeasible_m)));
   }
-  if (score.route.self_crossings > 0) {
-    list.push_back(fmt::format("Crosses its own path {} time{}", score.route.self_crossings,
-                               score.route.self_crossings == 1 ? "" : "s"));
-  }
   return list;
 }
 
-std::string overall_verdict(const std::vector<std::string>& planners,
-                            const std::vector<const Score*>& scores) {
-  std::size_t best = 0, shortest = 0;
-  for (std::size_t i = 1; i < scores.size(); ++i) {
-    if (scores[i]->all.hit_pct > scores[best]->all.hit_pct) best = i;
-    if (scores[i]->route.length_m < scores[shortest]->route.length_m) shortest = i;
-  }
-  const auto pair = [&](std::size_t i) {
-    return fmt::format("{} ({} % at {})", planners[i], percent_text(scores[i]->all.hit_pct),
-                       times(scores[i]->route.length_ratio));
+std::size_t best_plan(const std::vector<ComparedPlan>& plans) {
+  const auto sound = [](const ComparedPlan& p) { return warnings(*p.score).empty(); };
+  const auto passes = [](const ComparedPlan& p) { return p.judged && p.judged->verdict.pass; };
+  const auto hours = [](const ComparedPlan& p) { return p.score->route.duration_s; };
+  const auto covers = [](const ComparedPlan& p) { return p.score->counted().hit_pct; };
+  std::vector<std::size_t> among(plans.size());
+  std::iota(among.begin(), among.end(), std::size_t{0});
+  const auto keep = [&](const auto& rule) {
+    std::vector<std::size_t> kept;
+    std::copy_if(among.begin(), among.end(), std::back_inserter(kept),
+                 [&](std::size_t i) { return rule(plans[i]); });
+    if (!kept.empty()) among = kept;
   };
-  if (scores.size() == 1) return {};
-  if (best == shortest) return fmt::format("{} covers most and is the shortest.", pair(best));
-  return fmt::format("{} covers most; {} is the shortest.", pair(best), pair(shortest));
+  keep(sound);
+  keep(passes);
+  if (!passes(plans[among.front()])) {
+    double most = 0.0;
+    for (const std::size_t i : among) most = std::max(most, covers(plans[i]));
+    keep([&](const ComparedPlan& p) { return covers(p) >= most - kSameCoverage; });
+  }
+  return *std::min_element(among.begin(), among.end(), [&](std::size_t a, std::size_t b) {
+    return hours(plans[a]) < hours(plans[b]);
+  });
+}
+
+std::string overall_verdict(const std::vector<ComparedPlan>& plans) {
+  if (plans.size() < 2) return {};
+  const ComparedPlan& best = plans[best_plan(plans)];
+  const bool passes = best.judged != nullptr && best.judged->verdict.pass;
+  return fmt::format("The best of {} plans is {}: {}.", plans.size(), best.name,
+                     passes ? "it passes in the fewest hours"
+                            : "none covers half a point more, and it takes the fewest hours of "
+                              "those that cover as much");
 }
 
 }  // namespace swathplan::internal

@@ -11,63 +11,87 @@
 namespace swathplan {
 namespace {
 
-std::vector<Vec2> corners(const Holidays& holidays) {
-  std::vector<Vec2> out;
-  for (const Holiday& h : holidays.list) {
-    out.push_back(h.box.min);
-    out.emplace_back(h.box.max.x(), h.box.min.y());
-    out.push_back(h.box.max);
-    out.emplace_back(h.box.min.x(), h.box.max.y());
-  }
-  return out;
+Ring corners(const Box2& box) {
+  return {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
 }
 
-/// A rectangle, in two parts where it crosses 180 degrees.
-std::string geometry(const std::vector<std::string>& at, const std::vector<Vec2>& lonlat,
-                     std::size_t first) {
-  std::vector<std::vector<std::string>> rings;
-  if (lonlat.empty()) {
-    rings.push_back({at[first], at[first + 1], at[first + 2], at[first + 3]});
-  } else {
-    for (const auto& ring : ring_cut_at_180(
-             {lonlat[first], lonlat[first + 1], lonlat[first + 2], lonlat[first + 3]})) {
-      std::vector<std::string>& texts = rings.emplace_back();
-      for (const Vec2& p : ring) texts.push_back(geojson_lonlat(p));
+Polygon outline_or_box(const Holiday& holiday) {
+  return holiday.outline.outer.empty() ? Polygon{corners(holiday.box), {}} : holiday.outline;
+}
+
+std::string ring_text(const std::vector<std::string>& positions) {
+  return fmt::format("[{},{}]", fmt::join(positions, ","), positions.front());
+}
+
+/// Writes the places of holidays as GeoJSON geometries.
+class Places {
+ public:
+  explicit Places(const Frame& frame) : frame_(frame), conversion_(frame) {}
+
+  /// What is drawn of the holiday: 'cells' or 'box', and the geometry.
+  [[nodiscard]] std::pair<std::string, std::string> of(const Holiday& holiday) const {
+    const Polygon polygon = outline_or_box(holiday);
+    const char* const what = holiday.outline.outer.empty() ? "box" : "cells";
+    if (!conversion_.known()) {
+      std::vector<std::string> rings{ring_text(geojson_positions(polygon.outer, frame_))};
+      for (const Ring& hole : polygon.holes) {
+        rings.push_back(ring_text(geojson_positions(hole, frame_)));
+      }
+      return {what, polygon_text(rings)};
     }
+    if (ring_cut_at_180(conversion_.from_local(polygon.outer)).size() > 1) {
+      return {"box", cut_box(holiday)};
+    }
+    std::vector<std::string> rings{ring_of(polygon.outer)};
+    for (const Ring& hole : polygon.holes) rings.push_back(ring_of(hole));
+    return {what, polygon_text(rings)};
   }
-  std::vector<std::string> polygons;
-  for (const auto& ring : rings) {
-    polygons.push_back(fmt::format("[[{},{}]]", fmt::join(ring, ","), ring.front()));
-  }
-  if (polygons.size() == 1) {
-    return fmt::format(R"({{"type":"Polygon","coordinates":{}}})", polygons.front());
-  }
-  return fmt::format(R"({{"type":"MultiPolygon","coordinates":[{}]}})", fmt::join(polygons, ","));
-}
 
-std::string properties(const Holiday& h, std::size_t rank, const Frame& frame) {
+ private:
+  static std::string polygon_text(const std::vector<std::string>& rings) {
+    return fmt::format(R"({{"type":"Polygon","coordinates":[{}]}})", fmt::join(rings, ","));
+  }
+
+  [[nodiscard]] std::string ring_of(const Ring& ring) const {
+    std::vector<std::string> texts;
+    for (const Vec2& p : conversion_.from_local(ring)) texts.push_back(geojson_lonlat(p));
+    return ring_text(texts);
+  }
+
+  /// The box of a gap that crosses 180 degrees, in two parts.
+  [[nodiscard]] std::string cut_box(const Holiday& holiday) const {
+    std::vector<std::string> polygons;
+    for (const auto& ring : ring_cut_at_180(conversion_.from_local(corners(holiday.box)))) {
+      std::vector<std::string> texts;
+      for (const Vec2& p : ring) texts.push_back(geojson_lonlat(p));
+      polygons.push_back("[" + ring_text(texts) + "]");
+    }
+    return fmt::format(R"({{"type":"MultiPolygon","coordinates":[{}]}})", fmt::join(polygons, ","));
+  }
+
+  const Frame& frame_;
+  LonLat conversion_;
+};
+
+std::string properties(const Holiday& h, std::size_t rank, const std::string& drawn,
+                       const Frame& frame) {
   const Vec2 file = frame.to_file(h.position);
-  return fmt::format(R"({{"rank":{},"area_m2":{},"cells":{},"cause":"{}","x_m":{},"y_m":{}}})",
-                     rank, decimal(h.area_m2, 6), h.cells, name(h.cause), decimal(file.x(), 3),
-                     decimal(file.y(), 3));
+  return fmt::format(
+      R"({{"rank":{},"area_m2":{},"cells":{},"cause":"{}","x_m":{},"y_m":{},"outline":"{}"}})",
+      rank, decimal(h.area_m2, 6), h.cells, name(h.cause), decimal(file.x(), 3),
+      decimal(file.y(), 3), drawn);
 }
 
 }  // namespace
 
 std::string holidays_geojson(const Holidays& holidays, const Frame& frame) {
-  const LonLat conversion(frame);
-  std::vector<Vec2> lonlat;
-  std::vector<std::string> at;
-  if (conversion.known()) {
-    lonlat = conversion.from_local(corners(holidays));
-  } else {
-    at = geojson_positions(corners(holidays), frame);
-  }
+  const Places places(frame);
   std::string text = geojson_head(frame);
   for (std::size_t i = 0; i < holidays.list.size(); ++i) {
+    const auto [drawn, geometry] = places.of(holidays.list[i]);
     text += fmt::format(R"({}{{"type":"Feature","properties":{},"geometry":{}}})",
-                        i == 0 ? "\n" : ",\n", properties(holidays.list[i], i + 1, frame),
-                        geometry(at, lonlat, 4 * i));
+                        i == 0 ? "\n" : ",\n", properties(holidays.list[i], i + 1, drawn, frame),
+                        geometry);
   }
   text += fmt::format("\n],\"holidays\":{},\"listed\":{},\"holidays_total_m2\":{}}}\n",
                       holidays.count, holidays.list.size(), decimal(holidays.total_m2, 6));

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "coverage/route/ping_clock.h"
 #include "coverage/route/violations.h"
 #include "io/charts/hazards.h"
 #include "planners/plan.h"
@@ -47,6 +48,7 @@ struct PlanRecord {
   std::vector<std::pair<Vec2, Vec2>> blocked_edges;  ///< local metres
   Sonar sonar;
   Vehicle vehicle;
+  PingTiming pings;              ///< that it was scored by
   std::vector<Outcome> choices;  ///< that the planner had, and which it took and why
   std::size_t chosen = 0;
   std::string chosen_why;

@@ -87,7 +87,9 @@ void add_hours(Json& json, const Score& score) {
       known ? Json(score.route.duration_s / 3600.0 / *score.least_hours) : Json(nullptr);
 }
 
-void add_holidays(Json& json, const Holidays& holidays) {
+void add_holidays(Json& json, const Score& score) {
+  const Holidays& holidays = score.holidays;
+  json["holidays_of"] = score.logged_counts ? "logged pings" : "all pings";
   json["holidays"] = holidays.count;
   json["largest_holiday_m2"] = holidays.largest_m2;
   json["holidays_total_m2"] = holidays.total_m2;
@@ -107,7 +109,7 @@ nlohmann::ordered_json score_figures(const Score& score) {
   add_coverage(json, score);
   add_route(json, score.route);
   add_hours(json, score);
-  add_holidays(json, score.holidays);
+  add_holidays(json, score);
   return json;
 }
 

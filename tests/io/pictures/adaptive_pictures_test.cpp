@@ -76,5 +76,24 @@ TEST(AdaptivePictures, TracksOfSeveralBoxesStandInOnePicture) {
   EXPECT_EQ(height("two.png"), 2 * height("one.png"));
 }
 
+TEST(AdaptivePictures, TracksKeepTheirProportions) {
+  const test::TemporaryFolder folder;
+  const auto height = [&](double width_m, double length_m) {
+    TrackPicture picture;
+    picture.width_m = width_m;
+    picture.length_m = length_m;
+    picture.tracks = {{0, 10.0, true}};
+    write_tracks_png(folder.path() / "p.png", {picture});
+    const std::string bytes = png_bytes(folder.path() / "p.png");
+    return 256 * static_cast<unsigned char>(bytes.at(22)) +
+           static_cast<unsigned char>(bytes.at(23));
+  };
+  const int margins = 2 * height(200.0, 50.0) - height(200.0, 100.0);
+  EXPECT_GT(margins, 0);
+  // 716 pixels are left for the longer side.
+  EXPECT_EQ(height(200.0, 100.0) - margins, 358);
+  EXPECT_EQ(height(100.0, 200.0), height(200.0, 100.0));  // lies on its side
+}
+
 }  // namespace
 }  // namespace swathplan

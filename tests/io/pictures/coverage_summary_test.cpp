@@ -70,5 +70,14 @@ TEST(CoverageSummary, ColoursTellCoveredFromEmptyAndEachIndexFromTheOthers) {
   }
 }
 
+TEST(CoverageSummary, TakesWhatNoLoggedPingSoundedAsEmptyWhereTheseCount) {
+  CoverageGrid grid({{{{0, 0}, {3, 0}, {3, 1}, {0, 1}}, {}}}, 1.0);
+  grid.words()[1] |= 6U;
+  grid.words()[2] |= 6U | 2U << CoverageGrid::kLoggedShift;
+  const std::uint8_t empty = kEmpty + kEmptySteps, six = kCovered + 3;
+  EXPECT_EQ(summarise(grid, 10).pixels, (std::vector<std::uint8_t>{empty, six, six}));
+  EXPECT_EQ(summarise(grid, 10, true).pixels, (std::vector<std::uint8_t>{empty, empty, six}));
+}
+
 }  // namespace
 }  // namespace swathplan

@@ -45,6 +45,35 @@ TEST(HolidaysGeoJson, ListsBoxesInOrderAndCountsAllHolidays) {
             nlohmann::json::parse("[[1012,2000],[1016,2000],[1016,2003],[1012,2003],[1012,2000]]"));
 }
 
+TEST(HolidaysGeoJson, GivesTheTrueOutlineWhereThereIsOne) {
+  Holidays holidays = two_of_five();
+  holidays.list[0].outline = {{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{3, 3}, {3, 6}, {6, 6}, {6, 3}}}};
+  const auto local = nlohmann::json::parse(holidays_geojson(holidays, Frame{}));
+  const auto& features = local.at("features");
+  EXPECT_EQ(features.at(0).at("properties").at("outline"), "cells");
+  EXPECT_EQ(features.at(0).at("geometry").at("coordinates"),
+            nlohmann::json::parse("[[[0,0],[9,0],[9,9],[0,9],[0,0]],"
+                                  "[[3,3],[3,6],[6,6],[6,3],[3,3]]]"));
+  EXPECT_EQ(features.at(1).at("properties").at("outline"), "box");
+  const auto world = nlohmann::json::parse(holidays_geojson(holidays, test::utm_frame()));
+  EXPECT_EQ(world.at("features").at(0).at("geometry").at("coordinates").size(), 2U);
+}
+
+TEST(HolidaysGeoJson, DrawsABoxInTwoPartsWhereAGapCrosses180Degrees) {
+  const Frame frame{.origin = Vec2(669'800.0, 6'600'000.0),  // zone 60N, at its eastern end
+                    .metres_per_unit = 1.0,
+                    .crs_wkt = parse_crs("EPSG:32660")};
+  Holidays holidays = two_of_five();
+  holidays.list.resize(1);
+  holidays.list[0].box.extend(Vec2(-3e4, 0.0));
+  holidays.list[0].box.extend(Vec2(3e4, 100.0));
+  holidays.list[0].outline = {{{-3e4, 0}, {3e4, 0}, {3e4, 100}, {-3e4, 100}}, {}};
+  const auto read = nlohmann::json::parse(holidays_geojson(holidays, frame));
+  const auto& feature = read.at("features").at(0);
+  EXPECT_EQ(feature.at("properties").at("outline"), "box");
+  EXPECT_EQ(feature.at("geometry").at("type"), "MultiPolygon");
+}
+
 TEST(HolidaysGeoJson, TheNameOfTheFileSaysWhetherItIsInDegrees) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(write_holidays_geojson(folder.path(), {}, Frame{}).filename(),

@@ -1,0 +1,127 @@
+// The report in a browser: on a screen, on a phone and on paper.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+
+#include "cli/chromium.h"
+
+namespace swathplan {
+namespace {
+
+using test::Chromium;
+using test::dataset;
+using test::Folder;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr std::size_t kMegabyte = 1'000'000;
+
+const std::string kHow = " " + dataset("harbour.asc") +
+                         " --profile survey --resolution 1 --vehicle small-usv --clearance 1.5 ";
+
+/// The report over two plans of a harbour.
+std::filesystem::path compared(const Folder& folder) {
+  const auto run =
+      folder.run("compare" + kHow + "--planners back-and-forth,multi-depth -o compared");
+  EXPECT_EQ(run.code, 0) << run.err;
+  return folder / "compared" / "report.html";
+}
+
+/// The report over one plan, judged by a criterion.
+std::filesystem::path judged(const Folder& folder) {
+  const auto run = folder.run("plan" + kHow +
+                              "--planner back-and-forth --criteria s44-1a --smooth-seafloor "
+                              "--positioning rtk --motion-sensor mru --water-level-uncertainty "
+                              "0.05 -o judged");
+  EXPECT_EQ(run.code, 0) << run.err;
+  return folder / "judged" / "report.html";
+}
+
+/// A copy of the page that also writes down how wide it is and what it loaded.
+std::filesystem::path probed(const Folder& folder, const std::filesystem::path& page) {
+  const std::string probe =
+      "<script>{ const d = document.documentElement.dataset;"
+      "d.cut = document.documentElement.scrollWidth - innerWidth;"
+      "d.loaded = performance.getEntriesByType('resource')"
+      ".filter((e) => !e.name.startsWith('data:')).map((e) => e.name).join(' '); }</script>";
+  std::string text = test::text_of(page);
+  text.insert(text.rfind("</body>"), probe);
+  return folder.write("probed.html", text);
+}
+
+/// data-figure -> data-value of the first element that shows it in a part of the page.
+std::map<std::string, double> shown(const std::string& dom) {
+  std::map<std::string, double> values;
+  const std::regex figure(R"(data-figure="(\w+)" data-value="([^"]+)")");
+  for (std::sregex_iterator it(dom.begin(), dom.end(), figure), end; it != end; ++it) {
+    values.emplace((*it)[1], std::stod((*it)[2]));
+  }
+  return values;
+}
+
+std::size_t pages(const std::string& pdf) {
+  std::size_t count = 0;
+  for (std::size_t at = pdf.find("/Type /Page"); at != std::string::npos;
+       at = pdf.find("/Type /Page", at + 1)) {
+    if (pdf.at(at + 11) != 's') ++count;
+  }
+  return count;
+}
+
+void expect_works(const Folder& folder, const std::filesystem::path& report) {
+  const std::filesystem::path page = probed(folder, report);
+  EXPECT_LT(std::filesystem::file_size(page), 5 * kMegabyte);
+  const Chromium chromium(folder);
+  for (const int width : {1280, 390}) {
+    const std::string dom = chromium.dom(page, width);
+    EXPECT_THAT(chromium.console(), IsEmpty()) << width;
+    EXPECT_THAT(dom, HasSubstr("data-ready=\"")) << width << ": the script ran to its end";
+    EXPECT_THAT(dom, HasSubstr("data-loaded=\"\"")) << width << ": nothing was fetched";
+    EXPECT_THAT(dom, HasSubstr("data-cut=\"0\"")) << width << ": nothing is cut off at the right";
+    EXPECT_THAT(dom, HasSubstr("leaflet-image-layer")) << width << ": the map shows a ground";
+    EXPECT_THAT(dom, HasSubstr("u-over")) << width << ": the charts are there";
+  }
+  const std::string pdf = chromium.pdf(page);
+  EXPECT_THAT(chromium.console(), IsEmpty());
+  EXPECT_GE(pages(pdf), 2U);
+  EXPECT_LE(pages(pdf), 4U);
+}
+
+TEST(ReportPage, OfOnePlanWorksOnAScreenOnAPhoneAndOnPaper) {
+  if (!test::has_chromium()) GTEST_SKIP() << "skipped: chromium is not installed";
+  const Folder folder;
+  expect_works(folder, judged(folder));
+}
+
+TEST(ReportPage, OfSeveralPlansWorksOnAScreenOnAPhoneAndOnPaper) {
+  if (!test::has_chromium()) GTEST_SKIP() << "skipped: chromium is not installed";
+  const Folder folder;
+  expect_works(folder, compared(folder));
+}
+
+TEST(ReportPage, ShowsTheNumbersOfScoreJson) {
+  if (!test::has_chromium()) GTEST_SKIP() << "skipped: chromium is not installed";
+  const Folder folder;
+  const auto run = folder.run("plan" + kHow + "--planner back-and-forth -o out");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const nlohmann::json score = test::json_of(folder / "out" / "score.json");
+  const std::string dom = Chromium(folder).dom(folder / "out" / "report.html");
+  const std::map<std::string, double> values = shown(dom);
+  EXPECT_GE(values.size(), 25U);
+  for (const auto& [key, value] : values) {
+    if (key == "planning_s") continue;  // differs from run to run, so it is in no score
+    EXPECT_EQ(score.at(key).get<double>(), value) << key;
+  }
+  // In words: as the verdict and the tiles have them.
+  const double minutes = std::round(score.at("duration_s").get<double>() / 60.0);
+  const double kilometres = score.at("length_m").get<double>() / 1000.0;
+  char text[200];
+  std::snprintf(text, sizeof text, "%.0f min, %.1f km, %.1f %% logged", minutes, kilometres,
+                score.at("coverage_hit_logged_pct").get<double>());
+  EXPECT_THAT(dom, HasSubstr(text));
+}
+
+}  // namespace
+}  // namespace swathplan
