@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -53,7 +54,30 @@ constexpr double kHoursStepOfSwath = 0.02;
 constexpr double kHoursFinestStep = 0.2, kHoursCoarsestStep = 4.0;
 /// Prices of infill: the share of the swath that a metre must bring. The highest price comes first.
 constexpr double kHoursGains[] = {0.3, 0.13, 0.06, 0.03};
+/// After so many ways without lines along the walls the others are left out, where the best of them
+/// costs so much more than the best with such lines.
+constexpr std::size_t kHoursTriedWithout = 2;
+constexpr double kHoursHopeless = 1.15;
+/// Rounds of infill, each followed by a score.
+constexpr int kHoursMostFillings = 6;
+/// Plans that differ by less than this share are the same.
+constexpr double kHoursSame = 5e-5;
 constexpr int kHoursSmoothing = 60;
+/// Field lines are smoothed over this many metres, and over no less than so many turn radii: where
+/// two parts of a front meet at an angle, the boat could not follow the bend else.
+constexpr double kHoursSmoothOverM = 10.0, kHoursSmoothOverRadii = 2.0;
+constexpr double kHoursStepsOfRadius = 5.0;
+/// Lines along walls are smoothed over so many turn radii. With the first one right angles bend by
+/// about the radius, and the lines see the corners of shoal basins. In deep ones pings of so sharp
+/// a bend lie far apart there.
+constexpr double kHoursCorner = 0.7, kHoursWideCorner = 2.0;
+/// Lines along walls lie so many swaths off, and if the foot of a wall is hard to see, so many.
+constexpr double kHoursFromWall = 0.5, kHoursNearWall = 0.42;
+/// Passes of the filter that smooth points `step` apart over `metres`: each widens a bell by half a
+/// step squared.
+int passes_over(double metres, double step) {
+  return static_cast<int>(std::ceil(2.0 * (metres / step) * (metres / step)));
+}
 /// A detour that a join without a forward way asks for, turn radii.
 constexpr double kHoursDetourRadii = 8.0 * std::numbers::pi;
 
@@ -65,7 +89,11 @@ struct Way {
   double azimuth_deg = 0.0;  ///< of rows
   std::size_t wall = 0;      ///< of the others: the number among the longest walls of each water
   double overlap = 0.1, stretch = 1.0, percentile = 0.15;
-  bool headland = false;  ///< lines along the walls first, the others in what they leave
+  bool headland = false;         ///< lines along the walls first, the others in what they leave
+  double corner = kHoursCorner;  ///< of lines along walls: smoothed over so many turn radii
+  double from_wall = kHoursFromWall;  ///< of lines along walls, swaths
+  double reach = 0.1;        ///< fans open past the boundary to the neighbour by this share of W
+  double edge_share = 0.25;  ///< of the soundings wanted that a swath's edge has by itself
   bool operator==(const Way&) const = default;
 };
 
@@ -100,8 +128,9 @@ class HoursSearch {
     plan_the_budget();
     options_.watch.phase("searching");
     first_ways();
-    vary_the_best();
     if (pool_.empty()) throw InvalidInput(kHoursNoLines);
+    calibrate();
+    vary_the_best();
     finish_the_best();
     return picked();
   }
@@ -183,11 +212,16 @@ class HoursSearch {
   [[nodiscard]] const Site& site(const Way& way) {
     const std::vector<float>& w = width(way.stretch, way.overlap);
     const auto [it, fresh] =
-        sites_.try_emplace({way.stretch, way.overlap, way.headland}, Site{shop_.raster(), w, {}});
+        sites_.try_emplace({way.stretch, way.overlap, way.headland, way.corner, way.from_wall},
+                           Site{shop_.raster(), w, {}});
     Site& site = it->second;
     if (!fresh || !way.headland) return site;
-    const double step = std::max(kCurveStep, 0.1 * swath_m_);
-    Headland headland = headland_along(walls_, shop_.raster(), w, step, kHoursSmoothing);
+    const double step = std::max(kCurveStep, options_.vehicle.turn_radius_m / kHoursStepsOfRadius);
+    Headland headland = headland_along(
+        walls_, shop_.raster(), w,
+        {.from_wall = way.from_wall,
+         .step_m = step,
+         .smooth_passes = passes_over(way.corner * options_.vehicle.turn_radius_m, step)});
     site.raster = shop_.raster().only(headland.inner);
     for (std::size_t i = 0; i < w.size(); ++i) {
       if (headland.inner[i] == 0) site.width[i] = 0.0F;
@@ -252,7 +286,7 @@ class HoursSearch {
       if (way.headland) wall = moved_into(wall, inner);
       const auto lines = way.kind == Kind::field
                              ? field_lines(inner.raster, inner.width, shop_.lines_in(), wall,
-                                           tolerance, {.spacing = 1.0, .smooth_passes = 200})
+                                           tolerance, field_smoothing())
                              : edge_following_lines(ground, shop_.lines_in(), wall,
                                                     {.margin = 0.0,
                                                      .step_m = std::max(kCurveStep, 0.1 * swath_m_),
@@ -260,6 +294,13 @@ class HoursSearch {
       curves.insert(curves.end(), lines.begin(), lines.end());
     }
     return curves;
+  }
+
+  [[nodiscard]] FieldLinesOptions field_smoothing() const {
+    const double over =
+        std::max(kHoursSmoothOverM, kHoursSmoothOverRadii * options_.vehicle.turn_radius_m);
+    const double step = std::max(kCurveStep, options_.vehicle.turn_radius_m / kHoursStepsOfRadius);
+    return {.spacing = 1.0, .smooth_passes = passes_over(over, step), .step_m = step};
   }
 
   /// The wall at the inner edge of the headland along it.
@@ -280,7 +321,8 @@ class HoursSearch {
 
   [[nodiscard]] LineAnglesOptions angles(const Way& way) const {
     return {.overlap_m = 0.5 * options_.resolution_m,
-            .widest_share = 0.6 / (1.0 - way.overlap),
+            .overlap_share = way.reach / (1.0 - way.overlap),
+            .widest_share = (0.6 + way.reach) / (1.0 - way.overlap),
             .by_distance = false};
   }
 
@@ -322,9 +364,11 @@ class HoursSearch {
     known_.push_back(way);
     const std::vector<SurveyCurve> curves = laid(way);
     if (curves.empty()) return false;
-    Tried tried{way, shop_.build(curves, width(way.stretch, way.overlap), angles(way)), {}};
+    Tried tried{
+        way, shop_.build(curves, width(way.stretch, way.overlap), angles(way), way.edge_share), {}};
     if (tried.built.route.waypoints.size() < 2) return false;
     tried.outcome = shop_.judge(tried.built.route, coarse_, described(way));
+    tried.outcome.cover_pct = std::clamp(tried.outcome.cover_pct + bias_, 0.0, 100.0);
     const bool better = pool_.empty() || cost_h(tried.outcome) < cost_h(pool_[best()].outcome);
     pool_.push_back(std::move(tried));
     options_.watch.tried(pool_.size(), static_cast<std::size_t>(budget_),
@@ -371,14 +415,43 @@ class HoursSearch {
       if (headland && walls_.empty()) continue;
       if (options_.lines != LineSource::field) {
         for (const double deg : directions()) {
+          if (hopeless(headland)) return;
           try_way({.kind = Kind::rows, .azimuth_deg = deg, .headland = headland});
         }
       }
       if (options_.lines == LineSource::straight || options_.heading) continue;
       for (std::size_t wall = 0; wall < kHoursWalls; ++wall) {
+        if (hopeless(headland)) return;
         try_way({.kind = Kind::field, .wall = wall, .headland = headland});
         if (!headland) try_way({.kind = Kind::edges, .wall = wall});
       }
+    }
+  }
+
+  /// Whether lines without a headland were tried and came out far behind those with one.
+  [[nodiscard]] bool hopeless(bool headland) const {
+    if (headland || walls_.empty()) return false;
+    double with = std::numeric_limits<double>::infinity();
+    double without = with;
+    std::size_t tried = 0;
+    for (const Tried& t : pool_) {
+      double& least = t.way.headland ? with : without;
+      least = std::min(least, cost_h(t.outcome));
+      tried += t.way.headland ? 0U : 1U;
+    }
+    return tried >= kHoursTriedWithout && without > kHoursHopeless * with;
+  }
+
+  /// Coarse cells cover a little more or less than the ones that count. What the best plan so far
+  /// loses or gains by them, all others are taken to lose or gain.
+  void calibrate() {
+    if (coarse_ == 1 || over()) return;
+    Tried tried = pool_[best()];
+    const double coarse = tried.outcome.cover_pct;
+    judge_in_full(tried);
+    bias_ = tried.outcome.cover_pct - coarse;
+    for (Tried& other : pool_) {
+      other.outcome.cover_pct = std::clamp(other.outcome.cover_pct + bias_, 0.0, 100.0);
     }
   }
 
@@ -408,12 +481,19 @@ class HoursSearch {
       way.*member = value;
       list.push_back(way);
     };
+    if (base.headland) {
+      vary(&Way::from_wall, base.from_wall == kHoursFromWall ? kHoursNearWall : kHoursFromWall);
+      vary(&Way::corner, base.corner == kHoursCorner ? kHoursWideCorner : kHoursCorner);
+    }
     for (const double overlap : {0.03, 0.06, 0.14, 0.2, -0.04, -0.1}) vary(&Way::overlap, overlap);
     for (const double stretch : {1.15, 1.3, 0.9}) {
       // Where the fan's limit binds everywhere, the stretch changes nothing.
       if (width(stretch, base.overlap) != width(base.stretch, base.overlap)) {
         vary(&Way::stretch, stretch);
       }
+    }
+    for (const double reach : {0.1, 0.0, 0.2}) {
+      if (reach != base.reach) vary(&Way::reach, reach);
     }
     if (base.kind == Kind::rows) {
       for (const double p : {0.05, 0.3, 0.5}) vary(&Way::percentile, p);
@@ -445,9 +525,17 @@ class HoursSearch {
     });
     const std::size_t finalists = rays_ > kHoursRaysOfHuge ? 1 : coarse_ >= 4 ? 2 : kHoursFinalists;
     options_.watch.phase("finishing the best");
-    for (std::size_t k = 0; k < std::min(finalists, order.size()); ++k) {
-      if (k > 0 && options_.watch.ended()) break;
-      Tried tried = std::move(pool_[order[k]]);
+    std::vector<Outcome> done;
+    for (const std::size_t i : order) {
+      if (done.size() == finalists || (!done.empty() && options_.watch.ended())) return;
+      // Variations that change nothing are the same plan again.
+      const bool known = std::any_of(done.begin(), done.end(), [&](const Outcome& o) {
+        return std::abs(o.duration_s - pool_[i].outcome.duration_s) < kHoursSame * o.duration_s &&
+               std::abs(o.cover_pct - pool_[i].outcome.cover_pct) < 100.0 * kHoursSame;
+      });
+      if (known) continue;
+      done.push_back(pool_[i].outcome);
+      Tried tried = std::move(pool_[i]);
       fill_in(tried, judge_in_full(tried));
     }
   }
@@ -455,16 +543,24 @@ class HoursSearch {
   void fill_in(const Tried& base, CoverageGrid grid) {
     Tried now = base;
     std::size_t passes = 0;
-    for (const double gain : kHoursGains) {
-      if (now.outcome.cover_pct >= goal_ || options_.watch.ended()) return;
-      InfilledRoute filled = with_infill(now.built.route, grid, shop_, {.least_gain = gain});
+    std::size_t price = 0;
+    const int most = rays_ > kHoursRaysOfHuge ? 2 : kHoursMostFillings;
+    const double area = area_m2(shop_.ground().survey_area);
+    for (int round = 0; round < most && price < std::size(kHoursGains);) {
+      const double missing = goal_ - now.outcome.cover_pct;
+      if (missing <= 0.0 || options_.watch.ended()) return;
+      InfilledRoute filled = with_infill(now.built.route, grid, shop_,
+                                         {.least_gain = kHoursGains[price],
+                                          .enough_m2 = missing / 100.0 * area,
+                                          .edge_share = base.way.edge_share});
+      if (!filled.enough) ++price;
       if (filled.passes == 0) continue;
+      ++round;
       passes += filled.passes;
       now.built = std::move(filled.built);
       now.outcome.what =
           fmt::format("{}, {}", base.outcome.what, counted(passes, "infill pass", "infill passes"));
       grid = judge_in_full(now);
-      if (rays_ > kHoursRaysOfHuge && gain == kHoursGains[1]) return;
     }
   }
 
@@ -546,9 +642,10 @@ class HoursSearch {
   double least_h_ = 0.0;  ///< hours that no plan can go under
   double swath_m_ = 0.0;  ///< a narrow swath of the area
   double rays_ = 0.0;     ///< of one plan, about
+  double bias_ = 0.0;     ///< points of coverage, from coarse cells to those that count
   int coarse_ = 1, budget_ = kHoursFewest;
   std::map<std::pair<double, double>, std::vector<float>> widths_;
-  std::map<std::tuple<double, double, bool>, Site> sites_;
+  std::map<std::tuple<double, double, bool, double, double>, Site> sites_;
   std::vector<SurveyCurve> walls_;  ///< of the area, with no room to turn beyond
   std::vector<Way> known_;
   std::vector<Tried> pool_, finished_;

@@ -8,8 +8,8 @@
 namespace swathplan {
 namespace {
 
-/// Half-way into the swath, and its inner edge.
-constexpr double kMiddle = 0.5, kInnerEdge = 1.0;
+/// From the line to the inner edge of its swath.
+constexpr double kHalf = 0.5;
 /// The level needs cells on its far side.
 constexpr double kBeyondEdge = 0.1;
 
@@ -55,17 +55,18 @@ std::vector<SurveyCurve> walls_without_room(const Area& survey_area, const AreaQ
 }
 
 Headland headland_along(const std::vector<SurveyCurve>& walls, const WaterRaster& raster,
-                        const std::vector<float>& width, double step_m, int smooth_passes) {
+                        const std::vector<float>& width, const HeadlandOptions& options) {
+  const double inner_edge = options.from_wall + kHalf;
   Headland headland;
   headland.inner.resize(raster.size(), 0);
   const Front front =
-      march(raster, width, front_along(raster, width, walls), kInnerEdge + kBeyondEdge);
+      march(raster, width, front_along(raster, width, walls), inner_edge + kBeyondEdge);
   for (std::size_t i = 0; i < raster.size(); ++i) {
     headland.inner[i] =
-        raster.in_area(i) && !(static_cast<double>(front.u[i]) <= kInnerEdge) ? 1 : 0;
+        raster.in_area(i) && !(static_cast<double>(front.u[i]) <= inner_edge) ? 1 : 0;
   }
-  for (const SurveyCurve& line : level_lines(raster, front.u, kMiddle)) {
-    headland.lines.push_back(smoothed(resampled(line, step_m), smooth_passes));
+  for (const SurveyCurve& line : level_lines(raster, front.u, options.from_wall)) {
+    headland.lines.push_back(smoothed(resampled(line, options.step_m), options.smooth_passes));
   }
   return headland;
 }

@@ -12,8 +12,8 @@ namespace swathplan {
 /// there is no room to turn beyond the end of a line, lines would have to end short of the wall and
 /// leave a strip there.
 struct Headland {
-  std::vector<SurveyCurve> lines;  ///< half a swath off the walls
-  std::vector<char> inner;         ///< a flag a cell: of the area, and not swept by these lines
+  std::vector<SurveyCurve> lines;
+  std::vector<char> inner;  ///< a flag a cell: of the area, and not swept by these lines
 };
 
 /// The stretches of the area's outline beyond which, within `room_m`, no safe water lies.
@@ -21,10 +21,15 @@ struct Headland {
                                                           const AreaQuery& water, double room_m,
                                                           double step_m);
 
-/// The headland along `walls`, for swaths of `width`. Lines are smoothed by `smooth_passes` passes
-/// over points `step_m` apart.
+struct HeadlandOptions {
+  double from_wall = 0.5;  ///< swaths from the walls to the lines, > 0
+  double step_m = 1.0;     ///< between the points that are smoothed, > 0
+  int smooth_passes = 0;   ///< of a binomial filter
+};
+
+/// The headland along `walls`, for swaths of `width`.
 [[nodiscard]] Headland headland_along(const std::vector<SurveyCurve>& walls,
                                       const WaterRaster& raster, const std::vector<float>& width,
-                                      double step_m, int smooth_passes);
+                                      const HeadlandOptions& options = {});
 
 }  // namespace swathplan

@@ -32,7 +32,7 @@ TEST(Headland, LinesLieHalfASwathOffTheWallAndLeaveTheRest) {
   std::vector<float> width(raster.size(), 0.0F);
   for (std::size_t i = 0; i < raster.size(); ++i) width[i] = raster.in_area(i) ? 20.0F : 0.0F;
   const Headland headland =
-      headland_along({straight_curve({0, 0}, {120, 0})}, raster, width, 1.0, 0);
+      headland_along({straight_curve({0, 0}, {120, 0})}, raster, width, {.step_m = 1.0});
   ASSERT_FALSE(headland.lines.empty());
   for (const SurveyCurve& line : headland.lines) {
     for (const Vec2& p : line.points) EXPECT_NEAR(p.y(), 10.0, 1.0);
