@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <set>
+#include <span>
 
 #include "apps/config_file.h"
 #include "apps/profiles.h"
@@ -95,21 +96,33 @@ std::set<std::string> read_config_into(const std::vector<Registered>& rows,
   return names;
 }
 
-/// Fills from the profile what neither was typed nor stands in the configuration file.
+/// Fills the rows of a profile that were neither typed nor stand in the configuration file.
+void apply_rows(const std::vector<Registered>& rows, const std::set<std::string>& configured,
+                std::span<const ProfileRow> profile) {
+  for (const ProfileRow& line : profile) {
+    for (const Registered& r : rows) {
+      const bool given = r.typed->count() > 0 || configured.count(r.row.name) > 0;
+      if (r.row.name == line.name && !given) set(r.row, {std::string(line.value)});
+    }
+  }
+}
+
+bool names_a_chart(const std::vector<Registered>& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const Registered& r) {
+    auto* const* slot = std::get_if<std::filesystem::path*>(&r.row.slot);
+    return slot != nullptr && r.row.flag == "FILE" && (*slot)->extension() == kChartExtension;
+  });
+}
+
 void apply_profile(const std::vector<Registered>& rows, const std::set<std::string>& configured) {
+  if (names_a_chart(rows)) apply_rows(rows, configured, kChartRows);
   const auto chosen = std::find_if(rows.begin(), rows.end(),
                                    [](const Registered& r) { return r.row.flag == "--profile"; });
   if (chosen == rows.end()) return;
   check(chosen->row);
   const std::string& name = *std::get<std::string*>(chosen->row.slot);
   for (const Profile& profile : kProfiles) {
-    if (profile.name != name) continue;
-    for (const ProfileRow& line : profile.rows) {
-      for (const Registered& r : rows) {
-        const bool given = r.typed->count() > 0 || configured.count(r.row.name) > 0;
-        if (r.row.name == line.name && !given) set(r.row, {std::string(line.value)});
-      }
-    }
+    if (profile.name == name) apply_rows(rows, configured, profile.rows);
   }
 }
 

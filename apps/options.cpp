@@ -229,7 +229,7 @@ OptionTable scoring_options(SurveyOptions& survey) {
   ScoringChoice& o = survey.scoring;
   const OptionTable cells{
       real("--resolution", kScoringGroup, o.resolution_m, kMetres, above(0.0),
-           "Side of a scoring cell, metres", "resolution_m"),
+           "Side of a scoring cell, metres (charts: 1)", "resolution_m"),
       real(
           "--ping-spacing", kScoringGroup, o.ping_spacing_m, kMetres, above_at_most(0.0, 100.0),
           "One ping each so many metres of path (default: by the clock, as fast as sonar and sound "

@@ -33,6 +33,13 @@ inline constexpr std::array kPaperRows{
     ProfileRow{"least_line_m", "0"},     ProfileRow{"swath_by", "footprint"},
 };
 
+/// Under any profile, where the seafloor is an S-57 chart: its soundings lie hundreds of metres
+/// apart, so cells of decimetres would only take time.
+inline constexpr std::array kChartRows{
+    ProfileRow{"resolution_m", "1"},
+};
+inline constexpr std::string_view kChartExtension = ".000";
+
 inline constexpr std::array kProfiles{
     Profile{"survey", "what surveyors do", kSurveyRows},
     Profile{"paper", "what the papers' simulations do", kPaperRows},
