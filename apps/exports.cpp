@@ -110,7 +110,8 @@ ExportOptions sailable_exports(const Route& route, const AreaQuery* water,
 }
 
 WrittenExports write_exports(const std::filesystem::path& folder, const Route& route,
-                             const Site& site, const ExportOptions& asked) {
+                             const Site& site, const ExportOptions& asked,
+                             const std::string& stem) {
   if (asked.formats.empty()) return {};
   const AreaQuery water(site.water);
   std::string why;
@@ -118,7 +119,7 @@ WrittenExports write_exports(const std::filesystem::path& folder, const Route& r
   if (!why.empty()) fmt::print(stderr, "warning: {}\n", why);
   if (options.formats.empty()) return {{}, why};
   const PlacedRoute placed{route, site.seafloor().frame, &water};
-  return {export_route(folder, "route", placed, placed, options), why};
+  return {export_route(folder, stem, placed, placed, options), why};
 }
 
 void move_names(std::vector<ExportedRoute>& exported, const std::filesystem::path& folder) {

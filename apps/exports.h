@@ -29,9 +29,11 @@ struct WrittenExports {
   std::vector<ExportedRoute> files;
   std::string why;  ///< formats are left out (sailable_exports), else empty
 };
-/// Writes the exports of a planned route beside its route.csv, kept to the site's safe water.
+/// Writes the exports of a planned route beside its route.csv, kept to the site's safe water; they
+/// are named after `stem`.
 [[nodiscard]] WrittenExports write_exports(const std::filesystem::path& folder, const Route& route,
-                                           const Site& site, const ExportOptions& options);
+                                           const Site& site, const ExportOptions& options,
+                                           const std::string& stem = "route");
 /// Names the files as they are called in `folder`, for those that were moved there.
 void move_names(std::vector<ExportedRoute>& exported, const std::filesystem::path& folder);
 /// To stderr: the table of exports that now stand in `folder`, and their warnings.

@@ -41,9 +41,10 @@ const OptionTable& shared_options() {
   static SiteOptions site;
   static SurveyOptions survey;
   static ExportChoice exports;
+  static JobChoice job;
   static const OptionTable table =
       joined({site_options(site), scoring_options(survey), criteria_options(survey.criteria),
-              planning_options(survey.planning), exporting_options(exports)});
+              planning_options(survey.planning), job_options(job), exporting_options(exports)});
   return table;
 }
 
@@ -493,6 +494,49 @@ OptionTable planning_options(PlanningChoice& o) {
     }
   }
   return table;
+}
+
+OptionTable job_options(JobChoice& o) {
+  const std::string lines = "Given lines";
+  const std::string job = "The whole job";
+  Option keep = path("--keep", lines, o.keep,
+                     "Plan with the lines of this route: they stay, their order and joins are made "
+                     "anew; no planner runs",
+                     "keep_file");
+  Option beside = text("--beside", lines, o.beside,
+                       "Lines beside those of this file, on both sides, or around its points and "
+                       "polygons; or around X,Y (coordinates of FILE); no planner runs",
+                       "beside");
+  Option battery = real("--battery", job, o.battery_wh, "watt-hours", above(0.0),
+                        "What a sortie may draw, watt-hours (with --power)", "battery_wh");
+  return {keep,
+          beside,
+          whole("--beside-lines", lines, o.beside_lines, within(1.0, 1000.0),
+                "Lines to each side, or around a point or polygon (default: 1)", "beside_lines"),
+          real("--spacing", lines, o.spacing_m, kMetres, above(0.0),
+               "Metres from a line of --beside to the next", "spacing_m"),
+          text("--berth", job, o.berth,
+               "Begin and end at X,Y (coordinates of FILE; where these are degrees, "
+               "longitude,latitude)",
+               "berth"),
+          real("--cross-lines", job, o.cross_lines_pct, kPerCent, above_at_most(0.0, 100.0),
+               "Cross-lines, sailed first: their length as per cent of the main scheme's",
+               "cross_lines_pct"),
+          flag("--patch-test", job, o.patch_test,
+               "Lines for latency, pitch, roll and yaw, where the seafloor suits them, sailed "
+               "before all others",
+               "patch_test"),
+          real("--sortie-hours", job, o.sortie_h, kHours, above(0.0),
+               "Cut the job into sorties from the berth and back of no more hours, contingency "
+               "included",
+               "sortie_hours"),
+          battery,
+          text("--daylight", job, o.daylight, "Sorties lie between these times, as 06:00-18:00",
+               "daylight"),
+          whole("--boats", job, o.boats, within(1.0, 8.0),
+                "Share the job among so many boats, about equally long out and never on "
+                "neighbouring lines at the same time",
+                "boats")};
 }
 
 Option north_option(const std::string& group, std::string& north) {

@@ -108,6 +108,19 @@ struct SurveyOptions {
   PlanningChoice planning;
 };
 
+/// What a plan is beside its main scheme.
+struct JobChoice {
+  std::filesystem::path keep;  ///< a route whose lines are planned with
+  std::string beside;          ///< a file of lines, points or polygons, or X,Y
+  std::optional<int> beside_lines;
+  std::optional<double> spacing_m;
+  std::string berth;
+  std::optional<double> cross_lines_pct, sortie_h, battery_wh;
+  bool patch_test = false;
+  std::string daylight;
+  int boats = 1;
+};
+
 struct OutputOptions {
   std::filesystem::path folder = "out";
   bool json = false, quiet = false;
@@ -132,6 +145,8 @@ struct ExportChoice {
 [[nodiscard]] OptionTable planning_options(PlanningChoice& planning);
 /// What a line's swath is: a row of all commands that open fans.
 [[nodiscard]] Option swath_option(const std::string& group, std::string& swath_by);
+/// Of `plan`.
+[[nodiscard]] OptionTable job_options(JobChoice& job);
 /// Which north a heading counts from: a row of all commands that take one.
 [[nodiscard]] Option north_option(const std::string& group, std::string& north);
 /// Of `plan`, `compare` and `lines`, in a group of their own.

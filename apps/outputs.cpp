@@ -62,6 +62,21 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
   }
 }
 
+namespace {
+
+/// Routes of an earlier run's sorties, whichever their number, and their exports.
+void remove_old_sorties(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("route_boat") || name.starts_with("route_sortie")) names.push_back(name);
+  }
+  remove_old(folder, names);
+}
+
+}  // namespace
+
 void remove_old_survey(const std::filesystem::path& folder, const Site& site) {
   // Left by a run on other data: with a CRS where this has none, or without.
   remove_old(folder,
@@ -70,6 +85,7 @@ void remove_old_survey(const std::filesystem::path& folder, const Site& site) {
                  : std::vector<std::string>{"route.local.geojson", "holidays.local.geojson"});
   remove_old(folder, {"tvu.tif", "thu.tif", "hazards.geojson"});
   remove_exports(folder, "route", all_export_formats());
+  remove_old_sorties(folder);
 }
 
 void write_survey_report(const std::filesystem::path& file, const std::string& title,

@@ -17,8 +17,8 @@ void remove_old(const std::filesystem::path& folder, const std::vector<std::stri
 /// Writes route, score, plan, coverage and holidays of one survey into `folder`.
 void write_survey(const std::filesystem::path& folder, const PlannedSurvey& survey,
                   const Site& site, const Provenance& provenance);
-/// Removes what an older survey left in `folder` and a new one need not replace: its exports, and
-/// files in or without a CRS.
+/// Removes what an older survey left in `folder` and a new one need not replace: its exports, the
+/// routes of its sorties, and files in or without a CRS.
 void remove_old_survey(const std::filesystem::path& folder, const Site& site);
 
 /// Writes the report over one or several surveys.

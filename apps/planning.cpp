@@ -201,14 +201,19 @@ PlannedSurvey recorded(const std::string& planner, const std::string& label, Pla
   return result;
 }
 
-PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Survey& survey,
-                             const Scorer& scorer) {
-  const auto start = std::chrono::steady_clock::now();
-  std::vector<std::string> notes;
+PlanOptions planning_for(const Site& site, const Survey& survey, const Scorer& scorer,
+                         std::vector<std::string>& notes) {
   const Sonar sonar = counted_on(site, survey, notes);
   PlanOptions how = planning_over(scorer.ground(), site, survey, sonar);
   how.watch = scorer.watch();
   if (how.smooth) how.smooth->watch = how.watch;
+  return how;
+}
+
+Plan made_plan(const Planner& planner, const Site& site, const Survey& survey,
+               const Scorer& scorer) {
+  std::vector<std::string> notes;
+  const PlanOptions how = planning_for(site, survey, scorer, notes);
   how.watch.phase("laying lines");
   Plan plan = planner.plan(scorer.ground(), how);
   plan.notes.insert(plan.notes.end(), notes.begin(), notes.end());
@@ -238,14 +243,28 @@ PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Sur
     plan.notes.push_back(fmt::format("straight lines run along {}",
                                      azimuth_text(plan.heading->deg(), how.grid_north.deg())));
   }
-  const double planning = seconds_since(start);
+  return plan;
+}
+
+PlannedSurvey scored_plan(const std::string& name, const std::string& label, Plan plan,
+                          const Site& site, const Survey& survey, const Scorer& scorer,
+                          bool one_sortie) {
   ScoredRoute scored = scorer.score("scoring", plan.route);
-  note_corners(scored.score.route, how.vehicle, plan.notes);
-  note_endurance(scored.score.route, how.vehicle, plan.notes);
-  PlannedSurvey planned =
-      recorded(planner.name, planner.label, std::move(plan), std::move(scored), site, survey);
-  planned.planning_seconds = planning;
+  note_corners(scored.score.route, survey.vehicle, plan.notes);
+  if (one_sortie) note_endurance(scored.score.route, survey.vehicle, plan.notes);
+  PlannedSurvey planned = recorded(name, label, std::move(plan), std::move(scored), site, survey);
   planned.judged = scorer.judge("judging by the criterion", planned.plan.route);
+  return planned;
+}
+
+PlannedSurvey plan_and_score(const Planner& planner, const Site& site, const Survey& survey,
+                             const Scorer& scorer) {
+  const auto start = std::chrono::steady_clock::now();
+  Plan plan = made_plan(planner, site, survey, scorer);
+  const double planning = seconds_since(start);
+  PlannedSurvey planned =
+      scored_plan(planner.name, planner.label, std::move(plan), site, survey, scorer);
+  planned.planning_seconds = planning;
   return planned;
 }
 

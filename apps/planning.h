@@ -80,6 +80,17 @@ void note_corners(const RouteFigures& figures, const Vehicle& vehicle,
 void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
                     std::vector<std::string>& notes);
 
+/// The options of the planner over this site: its sonar is narrowed to what the criterion accepts.
+[[nodiscard]] PlanOptions planning_for(const Site& site, const Survey& survey, const Scorer& scorer,
+                                       std::vector<std::string>& notes);
+/// The planner's plan, not scored yet. @throws InvalidInput where no line fits.
+[[nodiscard]] Plan made_plan(const Planner& planner, const Site& site, const Survey& survey,
+                             const Scorer& scorer);
+/// Scores, judges and records a plan. `one_sortie`: the vehicle's endurance is held against it all.
+[[nodiscard]] PlannedSurvey scored_plan(const std::string& name, const std::string& label,
+                                        Plan plan, const Site& site, const Survey& survey,
+                                        const Scorer& scorer, bool one_sortie = true);
+
 [[nodiscard]] PlannedSurvey plan_and_score(const Planner& planner, const Site& site,
                                            const Survey& survey, const Scorer& scorer);
 

@@ -6,10 +6,8 @@
 #include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
 #include "apps/watch/terminal_watch.h"
-#include "io/files/lonlat.h"
 #include "io/results/score_json.h"
 #include "io/route/read_route.h"
-#include "mesh/base/error.h"
 #include "planners/fitted/infill.h"
 #include "planners/wording.h"
 
@@ -58,49 +56,6 @@ FanAngles default_fan(const ScoreCommand& command, const Survey& survey, const S
     return fan_for_depth(survey.planning, mean);
   const Angle half = widest_half_angle(survey.sonar, std::max(0.0, mean - survey.vehicle.draft_m));
   return {half, half};
-}
-
-bool is_near_data(const std::vector<Vec2>& points, const Site& site) {
-  Box2 box = extent(site.seafloor());
-  const double reach = std::max(100.0, box.size().norm());
-  box.min.array() -= reach;
-  box.max.array() += reach;
-  Box2 of_route;
-  for (const Vec2& p : points) of_route.extend(p);
-  return !(of_route.min.array() > box.max.array()).any() &&
-         !(of_route.max.array() < box.min.array()).any();
-}
-
-/// True if the route would meet the data with longitude and latitude exchanged.
-bool is_near_if_swapped(const std::vector<Vec2>& points, const Site& site) {
-  const LonLat degrees(site.seafloor().frame);
-  if (!degrees.known()) return false;
-  try {
-    std::vector<Vec2> lonlat = degrees.from_local(points);
-    for (Vec2& p : lonlat) {
-      p = {p.y(), p.x()};
-      if (std::abs(p.y()) > 90.0) return false;
-    }
-    return is_near_data(degrees.to_local(lonlat), site);
-  } catch (const InvalidInput&) {
-    return false;  // some place has no counterpart
-  }
-}
-
-/// A route that nowhere comes near the data is in another CRS or of another place.
-void check_meets_data(const Route& route, const Site& site, const std::filesystem::path& file) {
-  const std::vector<Vec2> points = positions(route.waypoints);
-  if (is_near_data(points, site)) return;
-  if (is_near_if_swapped(points, site)) {
-    throw InvalidInput(fmt::format(
-        "'{}': the route lies outside the seafloor's data, but with latitude and longitude "
-        "exchanged it would meet them: the file has them in the wrong order; exchange them there",
-        file.string()));
-  }
-  throw InvalidInput(fmt::format(
-      "'{}': the route lies outside the seafloor's data; check that both are in the same CRS "
-      "(lon_deg,lat_deg or the coordinates of the seafloor's file)",
-      file.string()));
 }
 
 /// The route with extra passes over its gaps.

@@ -9,6 +9,7 @@
 
 #include "io/charts/hazards.h"
 #include "io/files/crs.h"
+#include "io/files/lonlat.h"
 #include "io/seafloor/area_import.h"
 #include "mesh/base/error.h"
 #include "mesh/cropped.h"
@@ -204,9 +205,8 @@ bool serves(const Route& route, const Area& part) {
   const AreaQuery query(part);
   for (std::size_t i = 0; i + 1 < route.waypoints.size(); ++i) {
     const Waypoint& w = route.waypoints[i];
-    const bool on_line =
-        w.kind == LegKind::line || w.kind == LegKind::cross || w.kind == LegKind::infill;
-    if (on_line && query.inside_length(w.position, route.waypoints[i + 1].position) > 0.0) {
+    if (is_survey(w.kind) &&
+        query.inside_length(w.position, route.waypoints[i + 1].position) > 0.0) {
       return true;
     }
   }
@@ -236,6 +236,52 @@ std::string unserved_note(const Site& site, const Route& route) {
   if (names.empty()) return {};
   return fmt::format("{} of {} polygons of the area {} no survey line: {}", names.size(),
                      site.parts.size(), names.size() == 1 ? "has" : "have", fmt::join(names, "; "));
+}
+
+namespace {
+
+bool is_near_data(const std::vector<Vec2>& points, const Site& site) {
+  Box2 box = extent(site.seafloor());
+  const double reach = std::max(100.0, box.size().norm());
+  box.min.array() -= reach;
+  box.max.array() += reach;
+  Box2 of_route;
+  for (const Vec2& p : points) of_route.extend(p);
+  return !(of_route.min.array() > box.max.array()).any() &&
+         !(of_route.max.array() < box.min.array()).any();
+}
+
+/// True if the route would meet the data with longitude and latitude exchanged.
+bool is_near_if_swapped(const std::vector<Vec2>& points, const Site& site) {
+  const LonLat degrees(site.seafloor().frame);
+  if (!degrees.known()) return false;
+  try {
+    std::vector<Vec2> lonlat = degrees.from_local(points);
+    for (Vec2& p : lonlat) {
+      p = {p.y(), p.x()};
+      if (std::abs(p.y()) > 90.0) return false;
+    }
+    return is_near_data(degrees.to_local(lonlat), site);
+  } catch (const InvalidInput&) {
+    return false;  // some place has no counterpart
+  }
+}
+
+}  // namespace
+
+void check_meets_data(const Route& route, const Site& site, const std::filesystem::path& file) {
+  const std::vector<Vec2> points = positions(route.waypoints);
+  if (is_near_data(points, site)) return;
+  if (is_near_if_swapped(points, site)) {
+    throw InvalidInput(fmt::format(
+        "'{}': the route lies outside the seafloor's data, but with latitude and longitude "
+        "exchanged it would meet them: the file has them in the wrong order; exchange them there",
+        file.string()));
+  }
+  throw InvalidInput(fmt::format(
+      "'{}': the route lies outside the seafloor's data; check that both are in the same CRS "
+      "(lon_deg,lat_deg or the coordinates of the seafloor's file)",
+      file.string()));
 }
 
 std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehicle,

@@ -33,6 +33,10 @@ struct Site {
 /// them can be surveyed: one sentence, empty where each has one.
 [[nodiscard]] std::string unserved_note(const Site& site, const Route& route);
 
+/// Refuses a given route that nowhere comes near the data: it is in another CRS or of another place.
+/// @throws InvalidInput that names its file.
+void check_meets_data(const Route& route, const Site& site, const std::filesystem::path& file);
+
 /// Imports the seafloor and the polygons and derives the areas for a vehicle.
 /// @throws InvalidInput, UsageError as the importers do.
 [[nodiscard]] std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehicle,

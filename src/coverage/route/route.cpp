@@ -8,12 +8,13 @@
 namespace swathplan {
 namespace {
 
-constexpr std::array<std::pair<LegKind, std::string_view>, 8> kNames{{
+constexpr std::array<std::pair<LegKind, std::string_view>, 9> kNames{{
     {LegKind::line, "line"},
     {LegKind::turn, "turn"},
     {LegKind::transit, "transit"},
     {LegKind::cross, "cross"},
     {LegKind::infill, "infill"},
+    {LegKind::patch, "patch"},
     {LegKind::run_in, "run_in"},
     {LegKind::run_out, "run_out"},
     {LegKind::end, "end"},
@@ -33,6 +34,11 @@ std::string_view name(LegKind kind) {
     if (k == kind) return text;
   }
   return "line";
+}
+
+bool is_survey(LegKind kind) {
+  return kind == LegKind::line || kind == LegKind::cross || kind == LegKind::infill ||
+         kind == LegKind::patch;
 }
 
 std::optional<LegKind> leg_kind(std::string_view text) {

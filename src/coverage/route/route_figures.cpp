@@ -33,8 +33,7 @@ std::vector<char> joining(const Route& route) {
   std::vector<char> joins;
   Vec2 last = Vec2::Zero();
   for (const Waypoint& w : route.waypoints) {
-    const bool on_line =
-        w.kind == LegKind::line || w.kind == LegKind::cross || w.kind == LegKind::infill;
+    const bool on_line = is_survey(w.kind);
     if (joins.empty() || (w.position - last).norm() > kCoincident) {
       joins.push_back(0);
       last = w.position;
@@ -183,6 +182,7 @@ RouteFigures route_figures(const Route& route, const Vehicle& vehicle, const Are
     figures.length_ratio = figures.length_m / (survey_area_m2 / footprint_width_m);
   }
   const std::vector<Vec2> points = distinct_points(route);
+  figures.cross = cross_figures(route);
   add_turns(points, joining(route), vehicle.turn_radius_m, figures);
   const PathMeetings meetings = path_meetings(points);
   figures.self_crossings = meetings.crossings;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "coverage/route/cross_figures.h"
 #include "coverage/route/route.h"
 #include "coverage/route/vehicle.h"
 #include "mesh/plane/polygons.h"
@@ -44,6 +45,7 @@ struct RouteFigures {
   double tight_turn_m = 0.0;        ///< path that bends tighter than the vehicle's turn radius
   std::size_t infeasible_legs = 0;  ///< legs that the planner marked
   double infeasible_m = 0.0;
+  CrossFigures cross;  ///< its cross-lines
 };
 
 /// A bend counts as tight when its radius falls short of the vehicle's by more than this share.

@@ -16,9 +16,10 @@ struct Look {
   const char* colour;  ///< alpha, blue, green, red
 };
 
-constexpr std::array<Look, 7> kLooks{{{LegKind::line, "ffb45a00"},
+constexpr std::array<Look, 8> kLooks{{{LegKind::line, "ffb45a00"},
                                       {LegKind::cross, "ff9b2d96"},
                                       {LegKind::infill, "ff328c00"},
+                                      {LegKind::patch, "ff50508c"},
                                       {LegKind::turn, "ff00a5ff"},
                                       {LegKind::transit, "ff808080"},
                                       {LegKind::run_in, "ff46c8f0"},

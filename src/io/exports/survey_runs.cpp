@@ -8,9 +8,7 @@
 namespace swathplan {
 namespace {
 
-bool surveys(const Waypoint& w) {
-  return w.kind == LegKind::line || w.kind == LegKind::cross || w.kind == LegKind::infill;
-}
+bool surveys(const Waypoint& w) { return is_survey(w.kind); }
 
 int largest_number(const Route& route) {
   int largest = 0;

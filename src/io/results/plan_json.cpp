@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/files/atomic_file.h"
+#include "io/results/job_json.h"
 #include "io/results/provenance_json.h"
 
 namespace swathplan {
@@ -139,6 +140,7 @@ std::string plan_json(const PlanRecord& record, const Frame& frame, const Proven
   for (const auto& e : record.blocked_edges) json["blocked_edges"].push_back(edge(e, frame));
   json["choices"] = choices_json(record);
   json["picked_because"] = record.choices.empty() ? Json(nullptr) : Json(record.chosen_why);
+  json["job"] = record.job ? job_json(*record.job, record.job_files, frame) : Json(nullptr);
   json["violations"] = violations_json(record, frame);
   json["hazards"] = hazards_json(record);
   json["notes"] = record.notes;

@@ -8,6 +8,7 @@
 #include "coverage/route/ping_clock.h"
 #include "coverage/route/violations.h"
 #include "io/charts/hazards.h"
+#include "planners/job/whole_job.h"
 #include "planners/plan.h"
 
 namespace swathplan {
@@ -57,6 +58,9 @@ struct PlanRecord {
   std::vector<PlanViolation> violations;
   Hazards hazards;  ///< that the boat keeps off
   std::vector<std::string> notes;  ///< one sentence each, for people
+  std::vector<std::string> notes;      ///< one sentence each, for people
+  std::optional<JobSummary> job;       ///< where more than the main scheme was asked for
+  std::vector<std::string> job_files;  ///< routes of its sorties, where it is divided
 };
 
 /// The record of a plan for this sonar and vehicle in safe `water`; planner and label are left

@@ -76,6 +76,11 @@ void add_route(Json& json, const RouteFigures& route) {
   json["shared_stretches"] = route.shared_stretches;
   json["shared_m"] = route.shared_m;
   json["outside_water_m"] = route.outside_water_m;
+  json["cross_lines"] = route.cross.lines;
+  json["cross_lines_length_m"] = route.cross.length_m;
+  json["cross_lines_share_pct"] = 100.0 * route.cross.share();
+  json["cross_lines_crossings"] = route.cross.crossings;
+  json["cross_lines_right_angled"] = route.cross.right_angled;
   json["unknown_depth_m"] = route.unknown_depth_m;
   json["min_under_keel_m"] = route.min_under_keel_m;
 }

@@ -15,10 +15,6 @@ namespace {
 /// Two ends closer than this are one point: coordinates in files are rounded to a millimetre.
 constexpr double kSamePointM = 2e-3;
 
-bool is_surveyed(LegKind kind) {
-  return kind == LegKind::line || kind == LegKind::cross || kind == LegKind::infill;
-}
-
 std::size_t points_in(const ForeignRoute& route) {
   std::size_t count = 0;
   for (const auto& part : route.parts) count += part.size();
@@ -122,7 +118,7 @@ ImportedRoute placed(ForeignRoute route, const std::string& file, const Frame& f
     for (std::size_t i = 0; i < part.size(); ++i) {
       line.push_back({.position = points[i],
                       .kind = part[i].kind,
-                      .log = is_surveyed(part[i].kind),
+                      .log = is_survey(part[i].kind),
                       .line = part[i].line,
                       .fan = defaults.fan,
                       .speed_mps = part[i].speed_mps.value_or(defaults.speed_mps),
@@ -157,7 +153,7 @@ void number_lines(const std::vector<std::string>& names, std::vector<ForeignPoin
       // A second stretch of line 3 is '3_2'.
       if (words[2] == "start") line = whole_number(words[1].substr(0, words[1].find('_')));
     }
-    if (is_surveyed(points[i].kind)) points[i].line = line;
+    if (is_survey(points[i].kind)) points[i].line = line;
   }
 }
 

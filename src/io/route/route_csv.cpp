@@ -138,7 +138,7 @@ LegKind kind_of(const CsvTable::Row& row, bool last, const Columns& c,
   const auto kind = leg_kind(lower(text));
   if (!kind) {
     c.fail(row, *columns.kind,
-           "is none of line, turn, transit, cross, infill, run_in, run_out, end");
+           "is none of line, turn, transit, cross, infill, patch, run_in, run_out, end");
   }
   if (*kind == LegKind::end && !last) {
     c.fail(row, *columns.kind, "may stand in the last row only");

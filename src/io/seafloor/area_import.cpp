@@ -467,4 +467,37 @@ ImportedArea import_area(const fs::path& path, const Frame& frame,
   return result;
 }
 
+ImportedShapes import_shapes(const fs::path& path, const Frame& frame,
+                             const std::vector<std::string>& wanted) {
+  const QuietGdal quiet;
+  const GDALDatasetUniquePtr data = open_vectors(path);
+  ImportedShapes result;
+  for (const std::string& name : chosen_layers(*data, wanted, path)) {
+    LayerShapes layer = read_layer(*data->GetLayerByName(name.c_str()), path);
+    to_local(layer, frame);
+    for (std::vector<Vec2>& line : layer.lines) {
+      for (const Vec2& p : line) {
+        if (p.allFinite()) continue;
+        throw InvalidInput(fmt::format("'{}': a place of it is not a finite number; mend it there",
+                                       path.string()));
+      }
+      if (line.size() == 1) {
+        result.points.push_back(line.front());
+      } else {
+        result.lines.push_back(std::move(line));
+      }
+    }
+    std::vector<Area> parts;
+    for (const std::vector<Ring>& polygon : layer.polygons) {
+      parts.push_back(from_rings(polygon, false));
+    }
+    if (!parts.empty()) result.polygons = unite(result.polygons, united(parts));
+  }
+  if (result.lines.empty() && result.points.empty() && result.polygons.empty()) {
+    throw InvalidInput(
+        fmt::format("'{}' holds no line, point or polygon; draw one there", path.string()));
+  }
+  return result;
+}
+
 }  // namespace swathplan

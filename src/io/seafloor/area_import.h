@@ -57,4 +57,17 @@ struct ImportedArea {
 [[nodiscard]] ImportedArea import_area(const std::filesystem::path& path, const Frame& frame,
                                        const AreaImportOptions& options = {});
 
+/// What a vector file holds, as it is; local metres.
+struct ImportedShapes {
+  std::vector<std::vector<Vec2>> lines;  ///< of at least two places each
+  std::vector<Vec2> points;
+  Area polygons;
+};
+
+/// Reads lines, points and polygons of such a file, in any CRS, as import_area does.
+/// @throws InvalidInput if the file cannot be read, has several layers and none is chosen, or holds
+///   none of them.
+[[nodiscard]] ImportedShapes import_shapes(const std::filesystem::path& path, const Frame& frame,
+                                           const std::vector<std::string>& layers = {});
+
 }  // namespace swathplan

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "mesh/base/frame.h"
 
@@ -28,6 +29,19 @@ struct SegmentPlace {
 /// The place on the segment a-b that is nearest to p. A segment without a length is its first end,
 /// share 0. Coordinates that are not finite give places that are not.
 [[nodiscard]] SegmentPlace nearest_on_segment(const Vec2& a, const Vec2& b, const Vec2& p);
+
+/// The share of the way from a to b at which the segment c-d crosses it, [0, 1); c-d counts in [0, 1)
+/// too, so that a crossing at a corner of a path counts once. Empty where they do not cross, and for
+/// parallels.
+[[nodiscard]] inline std::optional<double> crossing(const Vec2& a, const Vec2& b, const Vec2& c,
+                                                    const Vec2& d) {
+  const double area = cross(b - a, d - c);
+  if (area == 0.0) return std::nullopt;
+  const double along = cross(c - a, d - c) / area;
+  const double across = cross(c - a, b - a) / area;
+  const bool meet = along >= 0.0 && along < 1.0 && across >= 0.0 && across < 1.0;
+  return meet ? std::optional(along) : std::nullopt;
+}
 
 /// Metres from p to the segment a-b. A segment without a length is a point.
 [[nodiscard]] double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p);

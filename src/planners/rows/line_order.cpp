@@ -16,8 +16,8 @@ constexpr std::size_t kLongestRun = 3;
 /// i ^ 1).
 class Tour {
  public:
-  Tour(const std::vector<LineEnds>& lines, const LineCost& cost, const std::optional<Vec2>& start)
-      : n_(lines.size()), cost_(4 * n_ * n_, 0.0), first_(2 * n_, 0.0) {
+  Tour(const std::vector<LineEnds>& lines, const LineCost& cost, const OrderEnds& ends)
+      : n_(lines.size()), cost_(4 * n_ * n_, 0.0), first_(2 * n_, 0.0), last_(2 * n_, 0.0) {
     const auto begin = [&](std::size_t i) {
       return i % 2 == 0 ? lines[i / 2].from : lines[i / 2].to;
     };
@@ -25,7 +25,8 @@ class Tour {
       return i % 2 == 0 ? lines[i / 2].course_from : Vec2(-lines[i / 2].course_to);
     };
     for (std::size_t i = 0; i < 2 * n_; ++i) {
-      if (start) first_[i] = (begin(i) - *start).norm();
+      if (ends.out) first_[i] = ends.out(begin(i), course(i));
+      if (ends.home) last_[i] = ends.home(begin(i ^ 1U), -course(i ^ 1U));
       for (std::size_t j = 0; j < 2 * n_; ++j) {
         if (i / 2 == j / 2) continue;
         // The end of i is the beginning of i ^ 1, on the opposite course.
@@ -68,7 +69,7 @@ class Tour {
   [[nodiscard]] double length(const std::vector<std::size_t>& order) const {
     double sum = order.empty() ? 0.0 : first_[order.front()];
     for (std::size_t k = 0; k + 1 < order.size(); ++k) sum += at(order[k], order[k + 1]);
-    return sum;
+    return order.empty() ? sum : sum + last_[order.back()];
   }
 
   void mend(std::vector<std::size_t>& order) const {
@@ -81,14 +82,14 @@ class Tour {
   [[nodiscard]] double at(std::size_t i, std::size_t j) const { return cost_[i * 2 * n_ + j]; }
   double& at(std::size_t i, std::size_t j) { return cost_[i * 2 * n_ + j]; }
 
-  /// Cost of the join before position k if `node` stands there; 0 at the end.
+  /// Cost of the join before position k if `node` stands there.
   [[nodiscard]] double into(const std::vector<std::size_t>& order, std::size_t k,
                             std::size_t node) const {
     return k == 0 ? first_[node] : at(order[k - 1], node);
   }
   [[nodiscard]] double out_of(const std::vector<std::size_t>& order, std::size_t k,
                               std::size_t node) const {
-    return k + 1 >= order.size() ? 0.0 : at(node, order[k + 1]);
+    return k + 1 >= order.size() ? last_[node] : at(node, order[k + 1]);
   }
 
   bool turn_runs(std::vector<std::size_t>& order) const {
@@ -149,22 +150,31 @@ class Tour {
   [[nodiscard]] double gap(const std::vector<std::size_t>& rest, std::size_t k, std::size_t a,
                            std::size_t b) const {
     if (k == 0) return first_[a] + at(b, rest[0]) - first_[rest[0]];
-    if (k == rest.size()) return at(rest[k - 1], a);
+    if (k == rest.size()) return at(rest[k - 1], a) + last_[b] - last_[rest[k - 1]];
     return at(rest[k - 1], a) + at(b, rest[k]) - at(rest[k - 1], rest[k]);
   }
 
   std::size_t n_;
   std::vector<double> cost_;
-  std::vector<double> first_;
+  std::vector<double> first_, last_;
 };
 
 }  // namespace
 
 std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines, const LineCost& cost,
                                     const std::optional<Vec2>& start) {
+  OrderEnds ends;
+  if (start) {
+    ends.out = [at = *start](const Vec2& first, const Vec2&) { return (first - at).norm(); };
+  }
+  return line_order(lines, cost, ends);
+}
+
+std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines, const LineCost& cost,
+                                    const OrderEnds& ends) {
   std::vector<OrderedLine> result;
   if (lines.empty()) return result;
-  const Tour tour(lines, cost, start);
+  const Tour tour(lines, cost, ends);
   std::vector<std::size_t> best;
   double least = std::numeric_limits<double>::infinity();
   for (auto order : {tour.given(), tour.nearest_next(0), tour.nearest_next(2 * lines.size() - 1)}) {
@@ -182,6 +192,26 @@ std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines, const Li
 std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines, const JoinCost& cost,
                                     const std::optional<Vec2>& start) {
   return line_order(lines, LineCost(std::cref(cost)), start);
+}
+
+double order_cost(const std::vector<LineEnds>& lines, const std::vector<OrderedLine>& order,
+                  const LineCost& cost, const OrderEnds& ends) {
+  double sum = 0.0;
+  std::optional<LineEnds> before;
+  for (const OrderedLine& next : order) {
+    LineEnds line = lines[next.line];
+    if (next.backwards) {
+      line = {line.to, line.from, Vec2(-line.course_to), Vec2(-line.course_from)};
+    }
+    if (before) {
+      sum += cost(before->to, before->course_to, line.from, line.course_from);
+    } else if (ends.out) {
+      sum += ends.out(line.from, line.course_from);
+    }
+    before = line;
+  }
+  if (before && ends.home) sum += ends.home(before->to, before->course_to);
+  return sum;
 }
 
 }  // namespace swathplan

@@ -49,6 +49,15 @@ class JoinCost {
 using LineCost =
     std::function<double(const Vec2& a, const Vec2& course_a, const Vec2& b, const Vec2& course_b)>;
 
+/// The cost of the way to the first line of an order, or from its last one: to or from the end of a
+/// line with this course there.
+using EndCost = std::function<double(const Vec2& line_end, const Vec2& course)>;
+
+/// Where an order begins and ends, each empty where that costs nothing.
+struct OrderEnds {
+  EndCost out, home;
+};
+
 /// The order in which lines are sailed. There are two first orders: the given one, and the one that
 /// always takes the nearest next line. Each is improved by turning runs of lines round (2-opt) and
 /// by moving runs of up to three lines (or-opt), until neither helps. The shorter one is kept. It
@@ -60,5 +69,14 @@ using LineCost =
 [[nodiscard]] std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines,
                                                   const JoinCost& cost,
                                                   const std::optional<Vec2>& start);
+
+/// The same with costs of the way to the first line and from the last one, as for a round trip.
+[[nodiscard]] std::vector<OrderedLine> line_order(const std::vector<LineEnds>& lines,
+                                                  const LineCost& cost, const OrderEnds& ends);
+
+/// What an order costs in all, without the lines themselves.
+[[nodiscard]] double order_cost(const std::vector<LineEnds>& lines,
+                                const std::vector<OrderedLine>& order, const LineCost& cost,
+                                const OrderEnds& ends);
 
 }  // namespace swathplan
