@@ -18,20 +18,21 @@ using testing::IsEmpty;
 
 constexpr std::size_t kMegabyte = 1'000'000;
 
-const std::string kHow = " " + dataset("harbour.asc") +
-                         " --profile survey --resolution 1 --vehicle small-usv --clearance 1.5 ";
+const std::string kHarbour =
+    " " + dataset("harbour.asc") +
+    " --profile survey --resolution 1 --vehicle small-usv --clearance 1.5 ";
 
 /// The report over two plans of a harbour.
 std::filesystem::path compared(const Folder& folder) {
   const auto run =
-      folder.run("compare" + kHow + "--planners back-and-forth,multi-depth -o compared");
+      folder.run("compare" + kHarbour + "--planners back-and-forth,multi-depth -o compared");
   EXPECT_EQ(run.code, 0) << run.err;
   return folder / "compared" / "report.html";
 }
 
 /// The report over one plan, judged by a criterion.
 std::filesystem::path judged(const Folder& folder) {
-  const auto run = folder.run("plan" + kHow +
+  const auto run = folder.run("plan" + kHarbour +
                               "--planner back-and-forth --criteria s44-1a --smooth-seafloor "
                               "--positioning rtk --motion-sensor mru --water-level-uncertainty "
                               "0.05 -o judged");
@@ -52,9 +53,9 @@ std::filesystem::path probed(const Folder& folder, const std::filesystem::path& 
 }
 
 /// data-figure -> data-value of the first element that shows it in a part of the page.
-std::map<std::string, double> shown(const std::string& dom) {
+std::map<std::string, double> figures_of(const std::string& dom) {
   std::map<std::string, double> values;
-  const std::regex figure(R"(data-figure="(\w+)" data-value="([^"]+)")");
+  const std::regex figure(R"re(data-figure="(\w+)" data-value="([^"]+)")re");
   for (std::sregex_iterator it(dom.begin(), dom.end(), figure), end; it != end; ++it) {
     values.emplace((*it)[1], std::stod((*it)[2]));
   }
@@ -104,11 +105,11 @@ TEST(ReportPage, OfSeveralPlansWorksOnAScreenOnAPhoneAndOnPaper) {
 TEST(ReportPage, ShowsTheNumbersOfScoreJson) {
   if (!test::has_chromium()) GTEST_SKIP() << "skipped: chromium is not installed";
   const Folder folder;
-  const auto run = folder.run("plan" + kHow + "--planner back-and-forth -o out");
+  const auto run = folder.run("plan" + kHarbour + "--planner back-and-forth -o out");
   ASSERT_EQ(run.code, 0) << run.err;
   const nlohmann::json score = test::json_of(folder / "out" / "score.json");
   const std::string dom = Chromium(folder).dom(folder / "out" / "report.html");
-  const std::map<std::string, double> values = shown(dom);
+  const std::map<std::string, double> values = figures_of(dom);
   EXPECT_GE(values.size(), 25U);
   for (const auto& [key, value] : values) {
     if (key == "planning_s") continue;  // differs from run to run, so it is in no score
