@@ -390,7 +390,8 @@ OptionTable spacing_options(PlanningChoice& o) {
   const char* const group = kSpacingGroup;
   OptionTable table{
       real("--spacing", group, o.spacing_m, kMetres, above(0.0),
-           "Metres between lines (default: by depth, fan and overlap)", "spacing_m"),
+           "Metres between lines, those of --beside too (default: by depth, fan and overlap)",
+           "spacing_m"),
       real("--overlap", group, o.overlap_pct, kPerCent, at_least_under(0.0, 100.0),
            "Per cent of its swath that a line shares with its neighbour (default: 10)",
            "overlap_pct"),
@@ -513,8 +514,6 @@ OptionTable job_options(JobChoice& o) {
           beside,
           whole("--beside-lines", lines, o.beside_lines, within(1.0, 1000.0),
                 "Lines to each side, or around a point or polygon (default: 1)", "beside_lines"),
-          real("--spacing", lines, o.spacing_m, kMetres, above(0.0),
-               "Metres from a line of --beside to the next", "spacing_m"),
           text("--berth", job, o.berth,
                "Begin and end at X,Y (coordinates of FILE; where these are degrees, "
                "longitude,latitude)",

@@ -113,7 +113,6 @@ struct JobChoice {
   std::filesystem::path keep;  ///< a route whose lines are planned with
   std::string beside;          ///< a file of lines, points or polygons, or X,Y
   std::optional<int> beside_lines;
-  std::optional<double> spacing_m;
   std::string berth;
   std::optional<double> cross_lines_pct, sortie_h, battery_wh;
   bool patch_test = false;

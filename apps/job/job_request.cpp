@@ -79,22 +79,22 @@ void set_longest_sortie(const JobChoice& typed, const Vehicle& vehicle, JobReque
   request.job.longest_sortie_s = 3600.0 * std::min(asked, vehicle.endurance_h);
 }
 
-void set_beside(const JobChoice& typed, JobRequest& request) {
+void set_beside(const JobChoice& typed, const std::optional<double>& spacing_m,
+                JobRequest& request) {
   if (typed.beside.empty()) {
     if (typed.beside_lines) {
       throw UsageError("--beside-lines without --beside; say beside what");
     }
-    if (typed.spacing_m) throw UsageError("--spacing without --beside; say beside what");
     return;
   }
-  if (!typed.spacing_m) {
+  if (!spacing_m) {
     throw UsageError("--beside without --spacing; say how many metres lines lie apart");
   }
   if (!typed.keep.empty()) {
     throw UsageError("--keep and --beside exclude each other; give one of them");
   }
   request.beside_xy = two_numbers(typed.beside);
-  request.beside = {.to_each_side = typed.beside_lines.value_or(1), .spacing_m = *typed.spacing_m};
+  request.beside = {.to_each_side = typed.beside_lines.value_or(1), .spacing_m = *spacing_m};
 }
 
 Vec2 placed_in(const Site& site, const Vec2& in_file, const char* flag, const std::string& text) {
@@ -118,7 +118,8 @@ bool JobRequest::any() const {
          job.boats > 1;
 }
 
-JobRequest job_request(const JobChoice& typed, const Vehicle& vehicle) {
+JobRequest job_request(const JobChoice& typed, const std::optional<double>& spacing_m,
+                       const Vehicle& vehicle) {
   JobRequest request;
   request.berth_text = typed.berth;
   if (!typed.berth.empty()) {
@@ -133,7 +134,7 @@ JobRequest job_request(const JobChoice& typed, const Vehicle& vehicle) {
   request.job.patch_test = typed.patch_test;
   request.job.boats = typed.boats;
   set_longest_sortie(typed, vehicle, request);
-  set_beside(typed, request);
+  set_beside(typed, spacing_m, request);
   check(request.job);
   return request;
 }

@@ -23,8 +23,10 @@ struct JobRequest {
   [[nodiscard]] bool any() const;
 };
 
+/// `spacing_m`: between lines, for those beside others.
 /// @throws UsageError that names flag, value and rule.
-[[nodiscard]] JobRequest job_request(const JobChoice& typed, const Vehicle& vehicle);
+[[nodiscard]] JobRequest job_request(const JobChoice& typed, const std::optional<double>& spacing_m,
+                                     const Vehicle& vehicle);
 
 /// The berth in the frame of the site, in safe water; empty where none was asked for. Adds a note
 /// where it is moved there.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "apps/job/job_texts.h"
 #include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
+#include "apps/watch/terminal_watch.h"
 #include "io/results/score_json.h"
 #include "io/route/read_route.h"
 #include "io/route/route_csv.h"
@@ -30,7 +32,8 @@ struct PlanCommand {
 OptionTable own_options(PlanCommand& command) {
   std::vector<std::string> names;
   for (const Planner& p : planners()) names.push_back(p.name);
-  return {choice("--planner", "Planning", command.planner, names, "What plans", "planner")};
+  return {
+      chooser(choice("--planner", "Planning", command.planner, names, "What plans", "planner"))};
 }
 
 Provenance provenance_of(const PlanCommand& command, const Survey& survey,
@@ -51,13 +54,22 @@ struct MainScheme {
   std::string name, label;
 };
 
+/// The fan of a route that holds none: as wide as the sonar sees at the mean depth, or W there.
+FanAngles fan_of_old(const Survey& survey, const Site& site) {
+  const double mean = depth_range(site.seafloor()).mean;
+  if (survey.planning.rows.swath_by == SwathBy::footprint) {
+    return fan_for_depth(survey.planning, mean);
+  }
+  const Angle half = widest_half_angle(survey.sonar, std::max(0.0, mean - survey.vehicle.draft_m));
+  return {half, half};
+}
+
 /// The lines of a route that was made before.
 MainScheme kept_lines(const PlanCommand& command, const Site& site, const Survey& survey) {
   const std::filesystem::path& file = command.job.keep;
   ImportedRoute route =
       read_route(file, site.seafloor().frame,
-                 {.fan = fan_for_depth(survey.planning, depth_range(site.seafloor()).mean),
-                  .speed_mps = survey.vehicle.speed_mps});
+                 {.fan = fan_of_old(survey, site), .speed_mps = survey.vehicle.speed_mps});
   check_meets_data(route.route, site, file);
   MainScheme kept{{}, "kept", file.filename().string()};
   kept.plan.route = std::move(route.route);
@@ -104,7 +116,7 @@ PlannedJob planned_job(const PlanCommand& command, const JobRequest& request, co
   job.berth = berth_in(site, request, survey.vehicle, notes);
   const Survey begun = begun_at(survey, job.berth, site);
   const bool planner_runs = command.job.keep.empty() && command.job.beside.empty();
-  const PlanOptions how = planning_for(site, begun, notes);
+  const PlanOptions how = planning_for(site, begun, scorer, notes);
   MainScheme main;
   if (planner_runs) {
     const Planner& chosen = planner(command.planner);
@@ -118,6 +130,7 @@ PlannedJob planned_job(const PlanCommand& command, const JobRequest& request, co
   std::vector<std::string> stems;
   std::optional<JobSummary> summary;
   if (request.any() || !command.job.keep.empty()) {
+    scorer.watch().phase("making the whole job");
     Job made = whole_job(plan.route, scorer.ground(), how, job);
     plan.route = std::move(made.route);
     routes = std::move(made.routes);
@@ -153,20 +166,41 @@ std::vector<ExportedRoute> write_sorties(const std::filesystem::path& folder, co
   return exported;
 }
 
+/// Lines beside others are spaced too, so the row of --spacing does not ask for the planner alone.
+void check_spacing_used(const PlanCommand& command) {
+  if (!command.survey.planning.spacing_m || !command.job.beside.empty()) return;
+  PlanCommand typed = command;
+  check_used(only(planning_options(typed.survey.planning), {"--spacing"}), {command.planner});
+}
+
+/// The rows of planning, of which --spacing is checked in run().
+OptionTable rows_of_planning(PlanningChoice& planning) {
+  OptionTable table = planning_options(planning);
+  for (Option& option : table) {
+    if (option.flag == "--spacing") option.used_by.clear();
+  }
+  return table;
+}
+
 void run(const PlanCommand& command) {
   // Everything typed is resolved and checked before any work.
   static_cast<void>(planner(command.planner));
+  check_spacing_used(command);
   const Survey survey = survey_of(command.survey);
-  const JobRequest request = job_request(command.job, survey.vehicle);
+  const JobRequest request =
+      job_request(command.job, command.survey.planning.spacing_m, survey.vehicle);
   const ExportOptions exports = export_options(command.exports);
-  const auto site = load_site(command.site, survey.vehicle);
+  TerminalWatch watch(command.output.quiet, command.output.folder);
+  const auto site = load_site(command.site, survey.vehicle, Watch(watch));
   check_export_crs(exports.formats, site->seafloor().frame);
   note_reach(*site, survey);
+  watch.rest();
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
   const Provenance provenance = provenance_of(command, survey, site->imported.input_hash);
   const auto plan_all = [&] {
-    const Scorer scorer(*site, survey, command.output.quiet);
+    const Scorer scorer(*site, survey, Watch(watch));
+    watch.search();
     return planned_job(command, request, *site, survey, scorer);
   };
   PlannedJob job = plan_all();
@@ -178,6 +212,8 @@ void run(const PlanCommand& command) {
   const std::string title =
       fmt::format("{}: {}", command.site.file.filename().string(), planned.record.label);
   WrittenExports exported;
+  watch.phase("writing results");
+  const auto writing = watch.writing();
   write_all_or_none(folder, [&](const std::filesystem::path& staging) {
     write_survey(staging, planned, *site, provenance);
     write_survey_toml(staging, provenance);
@@ -188,6 +224,7 @@ void run(const PlanCommand& command) {
     write_survey_report(staging / "report.html", title, surveys, *site, provenance);
     remove_old_survey(folder, *site);
   });
+  watch.rest();
   print_exports(std::move(exported.files), folder, route, command.output.quiet);
   for (const std::string& note : planned.plan.notes) {
     if (!command.output.quiet) fmt::print(stderr, "note: {}\n", note);
@@ -212,7 +249,7 @@ Command plan_command() {
           "Plan a survey with one planner: route, score, report",
           joined({site_options(command->site), scoring_options(command->survey),
                   criteria_options(command->survey.criteria), own_options(*command),
-                  planning_options(command->survey.planning), job_options(command->job),
+                  rows_of_planning(command->survey.planning), job_options(command->job),
                   exporting_options(command->exports), output_options(command->output)}),
           [command] { run(*command); },
           {}};

@@ -27,7 +27,7 @@ std::string harbour_job(const std::string& more) {
 /// In the basin of the harbour, in safe water.
 const char* const kBerth = "--berth 150,200";
 
-std::vector<std::vector<std::string>> rows_of(const std::filesystem::path& csv) {
+std::vector<std::vector<std::string>> route_rows(const std::filesystem::path& csv) {
   std::vector<std::vector<std::string>> rows;
   std::istringstream text(text_of(csv));
   std::string line;
@@ -54,7 +54,7 @@ TEST(Job, BerthAndBack) {
   const Folder folder;
   const auto run = folder.run(harbour_job(std::string(kBerth) + " -o out"));
   ASSERT_EQ(run.code, 0) << run.err;
-  const auto rows = rows_of(folder / "out/route.csv");
+  const auto rows = route_rows(folder / "out/route.csv");
   expect_at(rows.at(1), 150, 200);
   expect_at(rows.back(), 150, 200);
   const json score = json_of(folder / "out/score.json");
@@ -103,7 +103,7 @@ TEST(Job, CrossLinesHaveTheirShareAndAreSailedFirst) {
   EXPECT_NEAR(score.at("length_by_kind_m").at("cross").get<double>(),
               score.at("cross_lines_length_m").get<double>(), 1e-6);
   std::string first;
-  for (const auto& row : rows_of(folder / "out/route.csv")) {
+  for (const auto& row : route_rows(folder / "out/route.csv")) {
     if (row.at(2) == "line" || row.at(2) == "cross") {
       first = row.at(2);
       EXPECT_EQ(row.at(3), "1") << "logged";
@@ -142,7 +142,7 @@ TEST(Job, SortiesFitTheirHoursAndEachHasItsFiles) {
     EXPECT_LE(sorties[k].at("duration_with_contingency_s").get<double>(), 0.3 * 3600.0);
     const std::string stem = "route_sortie" + std::to_string(k + 1);
     EXPECT_EQ(sorties[k].at("route"), stem + ".csv");
-    const auto rows = rows_of(folder / ("out/" + stem + ".csv"));
+    const auto rows = route_rows(folder / ("out/" + stem + ".csv"));
     expect_at(rows.at(1), 150, 200);
     expect_at(rows.back(), 150, 200);
     EXPECT_TRUE(std::filesystem::exists(folder / ("out/" + stem + ".plan")));
@@ -201,12 +201,13 @@ TEST(Job, TwoBoatsShareTheLinesThatWereKept) {
 TEST(Job, LinesBesideAGivenOneAndAroundAPoint) {
   const Folder folder;
   folder.write("pipe.geojson", R"({"type":"LineString","coordinates":[[150,120],[150,260]]})");
-  const auto along = folder.run("plan " + dataset("harbour.asc") +
-                                " --beside pipe.geojson --beside-lines 2 --spacing 10 "
-                                "--resolution 0.5 --hit-only -o along");
+  const auto along =
+      folder.run("plan " + dataset("harbour.asc") +
+                 " --beside pipe.geojson --beside-lines 2 --spacing 10 --profile survey "
+                 "--resolution 0.5 --hit-only -o along");
   ASSERT_EQ(along.code, 0) << along.err;
   std::vector<double> eastings;
-  for (const auto& row : rows_of(folder / "along/route.csv")) {
+  for (const auto& row : route_rows(folder / "along/route.csv")) {
     if (row.at(2) == "line") eastings.push_back(std::stod(row.at(4)));
   }
   ASSERT_FALSE(eastings.empty());
@@ -214,16 +215,17 @@ TEST(Job, LinesBesideAGivenOneAndAroundAPoint) {
     EXPECT_NEAR(std::remainder(x - 150.0, 10.0), 0.0, 0.01);
     EXPECT_LE(std::abs(x - 150.0), 20.01);
   }
-  const auto ring =
-      folder.run("plan " + dataset("harbour.asc") +
-                 " --beside 150,200 --spacing 20 --resolution 0.5 --hit-only -o ring");
+  const auto ring = folder.run(
+      "plan " + dataset("harbour.asc") +
+      " --beside 150,200 --spacing 20 --profile survey --resolution 0.5 --hit-only -o ring");
   ASSERT_EQ(ring.code, 0) << ring.err;
-  for (const auto& row : rows_of(folder / "ring/route.csv")) {
+  for (const auto& row : route_rows(folder / "ring/route.csv")) {
     if (row.at(2) != "line") continue;
     EXPECT_NEAR(std::hypot(std::stod(row.at(4)) - 150.0, std::stod(row.at(5)) - 200.0), 20.0, 0.05);
   }
-  const auto off = folder.run("plan " + dataset("harbour.asc") +
-                              " --beside 9150,200 --spacing 20 --resolution 0.5 --hit-only -o off");
+  const auto off = folder.run(
+      "plan " + dataset("harbour.asc") +
+      " --beside 9150,200 --spacing 20 --profile survey --resolution 0.5 --hit-only -o off");
   EXPECT_EQ(off.code, 1);
   EXPECT_NE(off.err.find("--beside 9150,200"), std::string::npos) << off.err;
 }

@@ -244,7 +244,7 @@ class Properties {
     const auto known = value->is_string() ? leg_kind(value->get<std::string>()) : std::nullopt;
     if (!known || *known == LegKind::end) {
       reader_.fail(line_.label,
-                   fmt::format("kind {} is none of line, turn, transit, cross, infill, "
+                   fmt::format("kind {} is none of line, turn, transit, cross, infill, patch, "
                                "run_in, run_out",
                                value->is_string() ? value->dump() : value->type_name()));
     }

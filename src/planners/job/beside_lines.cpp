@@ -169,7 +169,7 @@ double mean_depth_along(const Path& path, const Ground& ground) {
 std::vector<Waypoint> waypoints_of(const Path& path, int number, double spacing_m,
                                    const Ground& ground, const PlanOptions& options) {
   const double below = std::max(0.5, mean_depth_along(path, ground) - options.vehicle.draft_m);
-  const double width = std::max(footprint_width_m(options), 2.0 * kOverreach * spacing_m);
+  const double width = std::max(lane_m(options), 2.0 * kOverreach * spacing_m);
   const Angle half = half_angle(options.sonar, width, below);
   Waypoint w;
   w.line = number;

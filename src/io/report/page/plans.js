@@ -2,7 +2,8 @@
 
 const tints = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#8a6d00', '#56b4e9', '#6b4fb3', '#555555'];
 /** What these kinds of legs are called; others go by their own name. */
-const kindNames = {run_in: 'run-in', run_out: 'run-out', cross: 'cross-line', infill: 'infill'};
+const kindNames = {run_in: 'run-in', run_out: 'run-out', cross: 'cross-line', infill: 'infill',
+  patch: 'patch-test line'};
 /** Kinds that join lines. All others are listed as lines. */
 const joining = new Set(['turn', 'transit', 'run_in', 'run_out', 'end']);
 
