@@ -22,6 +22,7 @@ namespace {
 
 struct LinesCommand {
   SiteOptions site;
+  std::string profile = "survey";
   VehicleChoice vehicle;
   OutputOptions output;
   ExportChoice exports;
@@ -63,7 +64,8 @@ LineDesignOptions design_options(const LinesCommand& c) {
 OptionTable own_options(LinesCommand& c) {
   const std::string group = "Lines";
   const std::vector<std::string> straight{"auto", "straight", "back-and-forth"};
-  return {chooser(texts("--method", group, c.methods,
+  return {profile_option(c.profile),
+          chooser(texts("--method", group, c.methods,
                         "Of " + method_names() + "; separated by commas", "method")),
           real("--max-opening", group, c.opening_deg, kDegrees, between(0.0, 180.0),
                "Full opening angle of the fan, degrees", "max_opening_deg"),

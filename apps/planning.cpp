@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
+#include "coverage/route/ping_clock.h"
 #include "coverage/standards/criterion_fan.h"
 #include "io/files/crs.h"
 #include "mesh/base/error.h"
@@ -44,6 +46,47 @@ void check_scale(const Site& site, const Survey& survey) {
         "--z-unit and --water-level, or choose another --sonar",
         shoalest, sonar.name, sonar.max_range_m));
   }
+}
+
+/// @throws UsageError for a ping rate that was typed and that sound forbids even over the shoalest
+/// ground.
+void check_ping_rate(const Survey& survey, double shoalest_below_m) {
+  const PingTiming& clock = survey.scoring.pings;
+  if (!survey.asked_ping_rate_hz || clock.spacing_m || !(shoalest_below_m > 0.0)) return;
+  const double most = most_cycles_hz(clock, shoalest_below_m);
+  if (*survey.asked_ping_rate_hz <= most) return;
+  throw UsageError(fmt::format(
+      "--ping-rate {:g}; over the shoalest ground, {:.4g} m below the sonar, sound is back {:.4g} "
+      "times a second at most: give that or less, or leave it out",
+      *survey.asked_ping_rate_hz, shoalest_below_m, most));
+}
+
+double rounded_up(double value, double step) { return step * std::ceil(value / step - 1e-9); }
+
+/// Where a ping in each cell is out of reach, and what comes nearest; empty where it is not.
+std::string out_of_reach(const LeastHours& hours, double deepest_below_m, const Survey& survey) {
+  const PlanOptions& how = survey.planning;
+  if (how.pings.spacing_m || !(hours.unreachable_m2 > 0.0)) return {};
+  const double draft = how.vehicle.draft_m;
+  const std::string where = fmt::format(
+      "in {:.3g} % of the area, from {:.4g} m of depth on, no fan and no speed lays {} in each "
+      "cell of {:g} m",
+      100.0 * hours.unreachable_m2 / (hours.unreachable_m2 + hours.area_m2),
+      hours.shoalest_unreachable_m + draft,
+      how.soundings > 1.0 ? fmt::format("{:g} soundings", how.soundings) : "a sounding",
+      how.resolution_m);
+  if (!(widest_half_angle(how.sonar, deepest_below_m).rad() > 0.0)) {
+    return fmt::format("{}: the sonar's range or coverage curve ends above the {:.4g} m there",
+                       where, deepest_below_m + draft);
+  }
+  const double interval = ping_interval_s(how.sonar, how.pings, deepest_below_m);
+  return fmt::format(
+      "{}: at the least speed of {:g} m/s pings lie up to {:.3g} m apart there; <resolution> "
+      "{:.3g} "
+      "or <least speed> {:.3g} comes nearest",
+      where, how.least_speed_mps, how.least_speed_mps * interval,
+      rounded_up(how.least_speed_mps * interval, 0.01),
+      std::floor(100.0 * how.resolution_m / interval) / 100.0);
 }
 
 /// @throws UsageError where no sounding of the site can be accepted; says what is missed by most.
@@ -144,7 +187,17 @@ Scorer::Scorer(const Site& site, const Survey& survey, Watch watch)
   static_cast<void>(grid_size(site.survey_area, survey.scoring.resolution_m));
   check_scale(site, survey);
   watch_.phase("working out the least hours of the site");
-  least_hours_ = least_hours(WaterRaster(ground_), survey.planning);
+  const LeastHours hours = hours_and_reach(WaterRaster(ground_), survey.planning);
+  least_hours_ = hours.hours;
+  const auto sailed = block_depths(intersect(ground_.survey_area, ground_.water), *ground_.depths);
+  const double draft = survey.vehicle.draft_m;
+  if (!sailed.empty()) {
+    check_ping_rate(survey, sailed.front() - draft);
+    reach_note_ = in_flags(out_of_reach(hours, sailed.back() - draft, survey));
+  }
+  if (survey.asked_soundings && !reach_note_.empty() && !(hours.area_m2 > 0.0)) {
+    throw UsageError(fmt::format("--soundings {:g}; {}", *survey.asked_soundings, reach_note_));
+  }
   if (survey.judging) {
     judge_.emplace(ground_, *survey.judging->criterion, survey.judging->budget,
                    survey.judging->how);
@@ -235,6 +288,7 @@ Plan made_plan(const Planner& planner, const Site& site, const Survey& survey,
                           planner.name, site.imported.file, footprint_width_m(how), how.sonar.beams,
                           how.resolution_m));
   }
+  if (!scorer.reach_note().empty()) plan.notes.push_back(scorer.reach_note());
   if (std::string note = unserved_note(site, plan.route); !note.empty()) {
     plan.notes.push_back(std::move(note));
   }

@@ -44,7 +44,8 @@ void note_reach(Site& site, const Survey& survey);
                                         const Survey& survey, const Sonar& sonar);
 
 /// What routes of one command are scored on, built once.
-/// @throws UsageError for cells larger than the area or too many of them; InvalidInput for a
+/// @throws UsageError for cells larger than the area or too many of them, for a ping rate that
+/// sound forbids everywhere, for soundings that are out of reach everywhere; InvalidInput for a
 /// seafloor beyond the sonar's range. Refuses a criterion that cannot be judged here, as
 /// SurveyJudge.
 class Scorer {
@@ -53,6 +54,9 @@ class Scorer {
   Scorer(const Scorer&) = delete;  // its ground points to its scene
   Scorer& operator=(const Scorer&) = delete;
   [[nodiscard]] const Ground& ground() const { return ground_; }
+  /// Where no fan and no speed lays a ping in each cell by the clock, and what comes nearest; empty
+  /// where all is in reach.
+  [[nodiscard]] const std::string& reach_note() const { return reach_note_; }
   [[nodiscard]] const Watch& watch() const { return watch_; }
   /// `phase` is what the watch is told.
   [[nodiscard]] ScoredRoute score(const std::string& phase, const Route& route) const;
@@ -66,6 +70,7 @@ class Scorer {
   Ground ground_;
   std::optional<SurveyJudge> judge_;
   double least_hours_ = 0.0;
+  std::string reach_note_;
   Watch watch_;
 };
 

@@ -327,6 +327,8 @@ Survey survey_of(const SurveyOptions& o) {
   survey.scoring.logged_counts = survey.planning.counted == Counted::logged;
   survey.scoring.outline_corners = kOutlineCorners;
   survey.heading_deg = o.planning.heading_deg;
+  survey.asked_soundings = o.planning.soundings;
+  survey.asked_ping_rate_hz = o.sonar.ping_rate_hz;
   survey.north = o.planning.north;
   survey.start_text = o.planning.start;
   if (!survey.start_text.empty()) survey.start_xy = start_point(survey.start_text);

@@ -30,6 +30,7 @@ struct Survey {
   std::optional<Vec2> start_xy;    ///< where to begin, in the coordinates of the seafloor's file
   std::string start_text;          ///< the same as it was typed
   std::optional<double> heading_deg;
+  std::optional<double> asked_soundings, asked_ping_rate_hz;  ///< where they were typed
   std::string north;  ///< that it counts from: 'true' or 'grid'
 };
 

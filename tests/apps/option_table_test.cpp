@@ -126,6 +126,52 @@ TEST(OptionTable, FillsWhatTheRowsPointTo) {
   EXPECT_EQ(shared.survey.noise.seed, 18446744073709551615U);
 }
 
+TEST(OptionTable, SpeedsMayNameTheirUnit) {
+  const auto speed = [](const char* text) {
+    SharedRows shared;
+    type(shared, {"file", "--speed", text});
+    return shared.survey.vehicle.speed_mps.value();
+  };
+  for (const char* text : {"4kn", "4 kn", "4kt", "4.0 kts", "4 knots"}) {
+    EXPECT_NEAR(speed(text), 2.0578, 1e-4) << text;
+  }
+  EXPECT_DOUBLE_EQ(speed("2.1m/s"), 2.1);
+  EXPECT_DOUBLE_EQ(speed("2.1"), 2.1);
+  EXPECT_DOUBLE_EQ(speed("7.2km/h"), 2.0);
+  SharedRows shared;
+  for (const char* text : {"4 bft", "kn", "4 knn"}) {
+    EXPECT_THAT(refusal([&] { type(shared, {"file", "--speed", text}); }), HasSubstr("as 4kn"));
+  }
+  EXPECT_THAT(refusal([&] { type(shared, {"file", "--draft", "4kn"}); }), HasSubstr("of metres"));
+}
+
+TEST(OptionTable, WhatIsChosenDecidesWhatIsOfUse) {
+  std::string planner = "nuc";
+  double heading = 30.0;
+  const OptionTable rows{
+      chooser(text("--planner", "", planner, "What plans", "planner")),
+      used_by({"rows", "fitted"}, real("--heading", "", heading, kDegrees, any_number(), "", "h"))};
+  EXPECT_EQ(chosen_in(rows), std::vector<std::string>{"nuc"});
+  EXPECT_EQ(refusal([&] { check_used(rows, {"nuc"}); }),
+            "--heading 30; nuc does not use it: leave it out, or choose rows or fitted");
+  EXPECT_EQ(refusal([&] { check_used(rows, {"nuc", "rows"}); }), "accepted");
+  EXPECT_EQ(refusal([&] { check_used(rows, {}); }), "accepted");
+}
+
+TEST(OptionTable, OnlyPlannersThatThereAreAreSaidToUseARow) {
+  const SharedRows shared;
+  const std::set<std::string> planners{"back-and-forth", "edge-following", "multi-depth", "nuc",
+                                       "mdnuc",          "fitted-lines"};
+  std::size_t rows = 0;
+  for (const Option& option : shared.rows) {
+    rows += option.used_by.empty() ? 0 : 1;
+    for (const std::string& name : option.used_by) {
+      EXPECT_TRUE(planners.contains(name)) << option.flag << ": " << name;
+    }
+  }
+  EXPECT_GT(rows, 15U);
+}
+
 TEST(OptionTable, RecordsWhatWasInForceAndWhatFollowedFromIt) {
   SharedRows shared;
   type(shared, {"a.asc", "--vehicle", "launch", "--margin", "0.4"});

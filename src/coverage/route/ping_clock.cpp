@@ -26,6 +26,10 @@ double ping_interval_s(const Sonar& sonar, const PingTiming& timing, double rang
   return timing.thinning * (sonar.dual_swath ? 0.5 * cycle : cycle);
 }
 
+double most_cycles_hz(const PingTiming& timing, double range_m) {
+  return 1.0 / sound_cycle_s(timing, range_m);
+}
+
 bool sound_binds(const Sonar& sonar, const PingTiming& timing, double range_m) {
   return sound_cycle_s(timing, range_m) > shortest_cycle_s(sonar);
 }

@@ -23,6 +23,9 @@ inline constexpr double kListeningShare = 0.9;
 /// cycle pings twice in T. Of `timing` the spacing plays no part.
 [[nodiscard]] double ping_interval_s(const Sonar& sonar, const PingTiming& timing, double range_m);
 
+/// Cycles a second that sound allows at most to a range (slant) and back.
+[[nodiscard]] double most_cycles_hz(const PingTiming& timing, double range_m);
+
 /// Whether the way of the sound sets the interval, and not the sonar's largest ping rate.
 [[nodiscard]] bool sound_binds(const Sonar& sonar, const PingTiming& timing, double range_m);
 

@@ -59,7 +59,7 @@ void BlockSearch::add_layouts(std::size_t block) {
                                               .lines = rows,
                                               .inset_m = base_.inset_m}),
                        blocks_, static_cast<std::int32_t>(block), shop_.raster(),
-                       kShortestPiece * footprint_width_m(shop_.options()));
+                       kShortestPiece * lane_m(shop_.options()));
       if (!lines.empty()) layouts_[block].push_back(std::move(lines));
     }
   }

@@ -111,7 +111,7 @@ class EdgeFollower {
 constexpr std::size_t kWalls = 3;
 constexpr double kGap = 1.2;
 constexpr LineAnglesOptions kAngles{.overlap_m = 0.5, .widest_share = 1.0, .by_distance = false};
-/// Walls are straight to this share of a footprint: quays have steps and bollards.
+/// Walls are straight to this share of a lane: quays have steps and bollards.
 constexpr double kWallTolerance = 0.1;
 
 }  // namespace
@@ -142,7 +142,7 @@ std::vector<SurveyCurve> pieces_from(const FieldWall& wall, const SweptGround& s
 std::vector<SurveyCurve> lines_of_water(const Polygon& water, const SweptGround& swaths,
                                         const std::vector<float>& width, LineWorkshop& shop,
                                         bool& ended) {
-  const double tolerance = kWallTolerance * footprint_width_m(shop.options());
+  const double tolerance = kWallTolerance * lane_m(shop.options());
   std::vector<SurveyCurve> best;
   double best_worth = 0.0;
   const Watch& watch = shop.options().watch;

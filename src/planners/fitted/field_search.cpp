@@ -58,8 +58,8 @@ class CurvedSearch {
 
   /// Lines along fronts from the area's long walls.
   [[nodiscard]] std::vector<JudgedLines> from_walls() {
-    // Walls are straight to a tenth of a footprint: quays have steps and bollards.
-    const double tolerance = 0.1 * footprint_width_m(shop_.options());
+    // Walls are straight to a tenth of a lane: quays have steps and bollards.
+    const double tolerance = 0.1 * lane_m(shop_.options());
     std::vector<TriedLines> tried;
     int number = 0;
     shop_.options().watch.phase("searching lines along fronts");

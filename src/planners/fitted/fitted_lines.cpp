@@ -54,7 +54,7 @@ constexpr const char* kNoLines =
 /// Rays of a plan of about two ideal lengths.
 double rays_of_plan(const LineWorkshop& shop) {
   const PlanOptions& o = shop.options();
-  const double path = 2.0 * area_m2(shop.ground().survey_area) / footprint_width_m(o);
+  const double path = 2.0 * area_m2(shop.ground().survey_area) / lane_m(o);
   return path / shop.mean_ping_spacing_m() * o.sonar.beams;
 }
 
@@ -160,8 +160,7 @@ Plan plan_without_scene(LineWorkshop& shop) {
   StraightCandidate c;
   c.azimuth_deg =
       shop.options()
-          .heading
-          .value_or(best_azimuth(shop.ground().survey_area, footprint_width_m(shop.options())))
+          .heading.value_or(best_azimuth(shop.ground().survey_area, lane_m(shop.options())))
           .deg();
   c.lines = 0;
   BuiltRoute built = shop.with_smooth_joins(build(c, shop));

@@ -28,8 +28,7 @@ std::vector<double> directions(const LineWorkshop& shop) {
   if (shop.options().heading) return {shop.options().heading->deg()};
   std::vector<double> list;
   for (double deg = 0.0; deg < 180.0; deg += kDirectionStepDeg) list.push_back(deg);
-  const double best =
-      best_azimuth(shop.ground().survey_area, footprint_width_m(shop.options())).deg();
+  const double best = best_azimuth(shop.ground().survey_area, lane_m(shop.options())).deg();
   if (std::fmod(best, kDirectionStepDeg) > 1e-6) list.push_back(best);
   return list;
 }
@@ -151,7 +150,7 @@ class Search {
       for (const SurveyCurve& line :
            fitted_straight_lines(shop_.raster(), shop_.width(plain.gap), shop_.survey_area(),
                                  shop_.lines_in(), {.azimuth = Angle::degrees(deg)})) {
-        metres += length_m(line) + 0.5 * footprint_width_m(shop_.options());
+        metres += length_m(line) + 0.5 * lane_m(shop_.options());
       }
       list.push_back({deg, metres / std::ceil(rows.total()) * rows.total(),
                       rows.total() / counted_share(shop_.options())});

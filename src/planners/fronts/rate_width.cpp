@@ -17,14 +17,18 @@ RateQuestion rate_question(const PlanOptions& options, double stretch) {
   return question;
 }
 
-double least_hours(const WaterRaster& raster, const PlanOptions& options) {
+LeastHours hours_and_reach(const WaterRaster& raster, const PlanOptions& options) {
   const double cell_m2 = raster.cell_m() * raster.cell_m();
   std::vector<DepthArea> places;
   for (std::size_t i = 0; i < raster.size(); ++i) {
     if (!raster.in_area(i)) continue;
     places.push_back({raster.depth(i) - options.vehicle.draft_m, cell_m2});
   }
-  return least_hours(rate_question(options), places).hours;
+  return least_hours(rate_question(options), places);
+}
+
+double least_hours(const WaterRaster& raster, const PlanOptions& options) {
+  return hours_and_reach(raster, options).hours;
 }
 
 std::vector<float> rate_width_field(const WaterRaster& raster, const PlanOptions& options,

@@ -12,7 +12,9 @@ namespace swathplan {
 /// pings stand so much farther apart than a cell while as many soundings fall on the ground.
 [[nodiscard]] RateQuestion rate_question(const PlanOptions& options, double stretch = 1.0);
 
-/// The least hours of the area (area_rate.h), by the depths of its cells.
+/// The least hours of the area (area_rate.h), by the depths of its cells, and what no fan reaches.
+[[nodiscard]] LeastHours hours_and_reach(const WaterRaster& raster, const PlanOptions& options);
+/// The hours alone.
 [[nodiscard]] double least_hours(const WaterRaster& raster, const PlanOptions& options);
 
 /// The swath of every cell of the area that surveys it fastest, metres; 0 outside. Where no fan

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mesh/shapes.h"
 #include "planners/steering/basin.h"
@@ -36,6 +37,19 @@ TEST(Steer, RoundsASpikeAndKeepsTheRest) {
   EXPECT_EQ(points.front(), line.front());
   EXPECT_EQ(points.back(), line.back());
   EXPECT_LT(std::abs(steering.added_m), 2.0);
+}
+
+TEST(Steer, ACornerIsRoundedHoweverLongItsLegs) {
+  const Connector connector(basin(200, 200), {.radius_m = 2.0});
+  const double a = 100.0 * std::numbers::pi / 180.0;
+  const Vec2 corner(100, 60);
+  const std::vector<Vec2> line{{40, 60}, corner, corner + 60.0 * Vec2(std::cos(a), std::sin(a))};
+  const Steering steering = steered(line, 2.0, connector);
+  EXPECT_EQ(steering.mended, 1U);
+  EXPECT_EQ(steering.left, 0U);
+  std::vector<Vec2> points;
+  for (const SteeredPoint& p : steering.points) points.push_back(p.position);
+  EXPECT_GE(tightest(points), 2.0 * (1.0 - 1e-6));
 }
 
 TEST(Steer, CoincidingPointsAreOne) {
