@@ -137,10 +137,14 @@ std::string verdicts(const std::vector<PlannedSurvey>& surveys) {
       text += fmt::format("  {} {:<23} {} (asked: {})\n", rule.pass ? "passes" : "FAILS ",
                           rule.name, rule.figure, rule.asks);
     }
-    if (s.judged->out_of_reach_m2 > 0.0) {
-      text +=
-          fmt::format("  not judged: {:.0f} m2 that no place in safe water shows to the sonar\n",
-                      s.judged->out_of_reach_m2);
+    const OutOfReach& out = s.judged->out_of_reach;
+    if (out.total_m2() > 0.0) {
+      text += fmt::format(
+          "  not judged: {:.0f} m2 out of reach ({:.0f} m2 that no place in safe water shows to "
+          "the "
+          "sonar, {:.0f} m2 shown only from places that the boat cannot be steered through or held "
+          "at)\n",
+          out.total_m2(), out.hidden_m2, out.unsteerable_m2);
     }
   }
   return text;

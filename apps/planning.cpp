@@ -19,6 +19,7 @@
 #include "planners/nuc/mdnuc.h"
 #include "planners/nuc/nuc.h"
 #include "planners/nuc/skeleton_smoothing.h"
+#include "planners/passing/passing_plan.h"
 #include "planners/rows/back_and_forth.h"
 #include "planners/rows/multi_depth.h"
 #include "planners/wording.h"
@@ -163,7 +164,7 @@ const std::vector<Planner>& planners() {
       {"multi-depth", "MDB&F", plan_multi_depth},
       {"nuc", "NUC", plan_nuc},
       {"mdnuc", "MDNUC", plan_mdnuc},
-      {"fitted-lines", "fitted lines", plan_fitted_lines},
+      {"fitted-lines", "fitted lines", plan_fitted_lines, true, true},
   };
   return list;
 }
@@ -268,7 +269,9 @@ Plan made_plan(const Planner& planner, const Site& site, const Survey& survey,
   std::vector<std::string> notes;
   const PlanOptions how = planning_for(site, survey, scorer, notes);
   how.watch.phase("laying lines");
-  Plan plan = planner.plan(scorer.ground(), how);
+  // A goal of its own comes first: the criterion then only judges.
+  const bool to_pass = scorer.judge() != nullptr && planner.passes && !any(how.goal);
+  Plan plan = to_pass ? plan_to_pass(*scorer.judge(), how) : planner.plan(scorer.ground(), how);
   plan.notes.insert(plan.notes.end(), notes.begin(), notes.end());
   if (how.start && !contains(site.water, *how.start) && !plan.route.waypoints.empty()) {
     const Vec2 first = in_file_of(site.imported, plan.route.waypoints.front().position);

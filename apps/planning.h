@@ -16,7 +16,8 @@ namespace swathplan {
 struct Planner {
   std::string name, label;
   Plan (*plan)(const Ground&, const PlanOptions&);
-  bool usual = true;  ///< compared when no planners are named
+  bool usual = true;    ///< compared when no planners are named
+  bool passes = false;  ///< takes a criterion as its goal (plan_to_pass)
 };
 [[nodiscard]] const std::vector<Planner>& planners();
 /// @throws UsageError for a name that is none, listing those that are.
@@ -60,6 +61,8 @@ class Scorer {
   [[nodiscard]] const Watch& watch() const { return watch_; }
   /// `phase` is what the watch is told.
   [[nodiscard]] ScoredRoute score(const std::string& phase, const Route& route) const;
+  /// Judges by the survey's criterion; null without one.
+  [[nodiscard]] const SurveyJudge* judge() const { return judge_ ? &*judge_ : nullptr; }
   /// By the survey's criterion; empty if it has none.
   [[nodiscard]] std::optional<JudgedSurvey> judge(const std::string& phase,
                                                   const Route& route) const;

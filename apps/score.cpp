@@ -6,8 +6,10 @@
 #include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
 #include "apps/watch/terminal_watch.h"
+#include "coverage/route/leg_table.h"
 #include "io/results/score_json.h"
 #include "io/route/read_route.h"
+#include "mesh/base/error.h"
 #include "planners/fitted/infill.h"
 #include "planners/wording.h"
 
@@ -19,6 +21,7 @@ struct ScoreCommand {
   SurveyOptions survey;
   OutputOptions output;
   std::filesystem::path route;
+  std::filesystem::path legs;
   std::optional<double> opening_deg;
   bool infill = false;
 };
@@ -30,6 +33,10 @@ OptionTable own_options(ScoreCommand& command) {
            "Full opening angle where ROUTE has none, degrees (default: as wide as --max-opening "
            "and range allow at the mean depth)",
            "opening_angle_deg"),
+      path("--legs", "Route", command.legs,
+           "The table of angles, speeds and logging that stands beside an export "
+           "(route.legs.csv), for ROUTE files that hold none",
+           "legs"),
       swath_option("Route", command.survey.planning.swath_by),
       flag("--infill", "Route", command.infill,
            "Also add passes over the gaps: a second route, in the folder 'infill'", "infill")};
@@ -56,6 +63,16 @@ FanAngles default_fan(const ScoreCommand& command, const Survey& survey, const S
     return fan_for_depth(survey.planning, mean);
   const Angle half = widest_half_angle(survey.sonar, std::max(0.0, mean - survey.vehicle.draft_m));
   return {half, half};
+}
+
+/// The route with the angles, speeds and logging of a leg table.
+Route with_table(const Route& route, const std::filesystem::path& file, const Frame& frame) {
+  const Route table = read_route(file, frame, {}).route;
+  try {
+    return with_leg_table(route, table);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("'{}': {}", file.string(), error.what()));
+  }
 }
 
 /// The route with extra passes over its gaps.
@@ -102,7 +119,11 @@ void run(const ScoreCommand& command) {
   check_meets_data(route.route, *site, command.route);
   Plan plan;
   plan.route = route.route;
-  if (route.fan_note) plan.notes.push_back(*route.fan_note);
+  if (!command.legs.empty()) {
+    plan.route = with_table(route.route, command.legs, site->seafloor().frame);
+  } else if (route.fan_note) {
+    plan.notes.push_back(*route.fan_note);
+  }
   plan.notes.insert(plan.notes.end(), route.notes.begin(), route.notes.end());
   const Scorer scorer(*site, survey, Watch(watch));
   ScoredRoute scored = scorer.score("scoring", plan.route);

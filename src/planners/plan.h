@@ -19,6 +19,9 @@
 
 namespace swathplan {
 
+struct Criterion;
+class UncertaintyModel;
+
 /// Hypotenuse of a mesh face as a share of W where none is given. Of the shares 0.85 to 1.2 this
 /// one brings the synthetic harbour at 0.10 m to 96.9 % at 3.4 ideal lengths. With larger faces
 /// path and coverage are both less.
@@ -124,6 +127,10 @@ struct PlanOptions {
   /// Told how the search gets on. If it ends the search, the best plan finished by then is kept,
   /// and a note says so. A planner goes on until it has one.
   Watch watch = {};
+  /// Where logged lines count: swaths are as wide as this criterion lets them be (criterion_fan.h),
+  /// half as wide where each place must be seen by two lines. Both or neither.
+  const Criterion* criterion = nullptr;
+  const UncertaintyModel* uncertainty = nullptr;
 };
 
 /// The shortest line that is worth its turns: the larger of 20 m and four turn radii.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "cli/program.h"
@@ -135,6 +136,30 @@ TEST(Export, BadOptionsAreNamed) {
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.err, HasSubstr("nothing.csv"));
   EXPECT_EQ(folder.run(plan_shaft("--export shp -o out")).code, 2);
+}
+
+/// What logged lines cover, as `score --json` says it.
+double logged_pct(const test::Run& run) {
+  EXPECT_EQ(run.code, 0) << run.err;
+  return nlohmann::json::parse(run.out).at("coverage_hit_logged_pct").get<double>();
+}
+
+TEST(Export, ScoredAgainWithItsLegTableItIsThePlan) {
+  const Folder folder;
+  ASSERT_EQ(folder.run("synth tilted -o floor.tif").code, 0);
+  const std::string how = " --crs EPSG:32633 --resolution 0.5 --turn-radius 4 --hit-only --json ";
+  const double plan =
+      logged_pct(folder.run("plan floor.tif --export rtz,plan,waypoints,lnw -o out" + how));
+  ASSERT_GT(plan, 80.0);
+  ASSERT_TRUE(std::filesystem::exists(folder / "out" / "route.legs.csv"));
+  for (const char* file : {"route.rtz", "route.plan", "route.waypoints", "route.lnw"}) {
+    const double again = logged_pct(folder.run("score floor.tif out/" + std::string(file) +
+                                               " --legs out/route.legs.csv -o again" + how));
+    EXPECT_NEAR(again, plan, 0.2) << file;
+  }
+  const auto other =
+      folder.run("score floor.tif out/route.rtz --legs out/route.rtz -o again" + how);
+  EXPECT_NE(other.code, 0);
 }
 
 }  // namespace

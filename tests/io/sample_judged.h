@@ -35,7 +35,7 @@ inline JudgedSurvey judged_survey() {
   survey.pings = 5;
   survey.soundings = 40;
   survey.accepted = 30;
-  survey.out_of_reach_m2 = 4.5;
+  survey.out_of_reach = {3.0, 1.5};
   return survey;
 }
 

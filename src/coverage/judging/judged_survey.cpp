@@ -10,7 +10,6 @@
 
 #include "coverage/judging/criterion_grids.h"
 #include "coverage/judging/judged_soundings.h"
-#include "coverage/judging/out_of_reach.h"
 #include "mesh/base/error.h"
 #include "mesh/base/parallel.h"
 
@@ -192,14 +191,14 @@ SurveyJudge::SurveyJudge(const Ground& ground, const Criterion& criterion,
   if (!options.smooth_seafloor) check_data(criterion, grids_, *ground.seafloor);
 }
 
-JudgedSurvey SurveyJudge::judge(const Route& route, const Sonar& sonar, const Vehicle& vehicle,
-                                const ScoreOptions& scoring) const {
+std::vector<JudgedGrid> SurveyJudge::traced(const Route& route, const Sonar& sonar,
+                                            const Vehicle& vehicle, const ScoreOptions& scoring,
+                                            JudgedSurvey& result) const {
   if (const auto what = fault(route)) throw InvalidInput("the route cannot be judged: " + *what);
   check(sonar, scoring.pings);
   tbb::task_arena arena(judging_threads(scoring));
   const CoverageGrid cells =
       arena.execute([&] { return CoverageGrid(ground_.survey_area, scoring.resolution_m); });
-  JudgedSurvey result;
   result.raster = empty_raster(cells);
   std::vector<JudgedGrid> grids = grids_;
   Filling filling(grids, result);
@@ -208,8 +207,23 @@ JudgedSurvey SurveyJudge::judge(const Route& route, const Sonar& sonar, const Ve
     return SoundingMaker(sonar, vehicle.draft_m, scoring.swath_share, *criterion_, model_);
   });
   SurveyTrace(reader, arena, makers).run(filling, result, scoring);
-  result.out_of_reach_m2 =
-      arena.execute([&] { return leave_out_of_reach(grids, ground_, sonar, vehicle); });
+  return grids;
+}
+
+std::vector<JudgedGrid> SurveyJudge::filled(const Route& route, const Sonar& sonar,
+                                            const Vehicle& vehicle,
+                                            const ScoreOptions& scoring) const {
+  JudgedSurvey result;
+  return traced(route, sonar, vehicle, scoring, result);
+}
+
+JudgedSurvey SurveyJudge::judge(const Route& route, const Sonar& sonar, const Vehicle& vehicle,
+                                const ScoreOptions& scoring) const {
+  JudgedSurvey result;
+  std::vector<JudgedGrid> grids = traced(route, sonar, vehicle, scoring, result);
+  tbb::task_arena arena(judging_threads(scoring));
+  const ReachSearch reach(ground_, sonar, vehicle);
+  result.out_of_reach = arena.execute([&] { return reach.leave_out(grids); });
   result.verdict = swathplan::judge(*criterion_, grids, options_.rules);
   return result;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coverage/ground.h"
+#include "coverage/judging/out_of_reach.h"
 #include "coverage/score.h"
 #include "coverage/standards/judge.h"
 #include "coverage/standards/uncertainty.h"
@@ -32,8 +33,7 @@ struct JudgedSurvey {
   std::array<std::uint64_t, kTvuBins> tvu_histogram{};
   std::uint64_t pings = 0, soundings = 0;  ///< of logged lines; soundings that fell in the area
   std::uint64_t accepted = 0;              ///< of them, with TVU and THU within the limits
-  /// Of the area; no place in safe water shows it to the sonar, so it is not judged.
-  double out_of_reach_m2 = 0.0;
+  OutOfReach out_of_reach;                 ///< of the area; it is not judged
 };
 
 struct JudgingOptions {
@@ -59,8 +59,20 @@ class SurveyJudge {
   /// @throws InvalidInput for a route that is not valid or an area without a cell.
   [[nodiscard]] JudgedSurvey judge(const Route& route, const Sonar& sonar, const Vehicle& vehicle,
                                    const ScoreOptions& scoring) const;
+  /// The same up to the cells: nothing is left out of them or judged yet.
+  [[nodiscard]] std::vector<JudgedGrid> filled(const Route& route, const Sonar& sonar,
+                                               const Vehicle& vehicle,
+                                               const ScoreOptions& scoring) const;
+
+  [[nodiscard]] const Ground& ground() const { return ground_; }
+  [[nodiscard]] const Criterion& criterion() const { return *criterion_; }
+  [[nodiscard]] const UncertaintyModel& uncertainty() const { return model_; }
 
  private:
+  [[nodiscard]] std::vector<JudgedGrid> traced(const Route& route, const Sonar& sonar,
+                                               const Vehicle& vehicle, const ScoreOptions& scoring,
+                                               JudgedSurvey& result) const;
+
   Ground ground_;
   const Criterion* criterion_;
   UncertaintyModel model_;

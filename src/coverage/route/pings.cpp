@@ -92,8 +92,10 @@ bool PingWalker::push(std::vector<Ping>& block) const {
             .log = from.log,
             .speed_mps = from.speed_mps};
   if (noise_.any()) {
-    ping.position += noise_state_[0] * noise_.lateral_sigma_m * Vec2(course.y(), -course.x());
-    ping.course = clockwise(course, noise_state_[1] * noise_.heading_sigma.rad());
+    const double aside = noise_state_[0] * noise_.lateral_sigma_m + noise_.lateral_offset_m;
+    ping.position += aside * Vec2(course.y(), -course.x());
+    ping.course = clockwise(
+        course, noise_state_[1] * noise_.heading_sigma.rad() + noise_.heading_offset.rad());
     ping.roll = noise_.roll_sigma * noise_state_[2];
     ping.heave_m = noise_state_[3] * noise_.heave_sigma_m;
   }

@@ -33,11 +33,15 @@ struct TrackNoise {
   double lateral_sigma_m = 0.0;
   Angle heading_sigma, roll_sigma;
   double heave_sigma_m = 0.0;
+  /// Steady departures, in addition: the whole route lies so far to starboard and is sailed so far
+  /// clockwise of its courses.
+  double lateral_offset_m = 0.0;
+  Angle heading_offset;
   double correlation_length_m = 20.0;  ///< distance over which errors fall to 1/e of their effect
   std::uint64_t seed = 1;
   [[nodiscard]] bool any() const {
     return lateral_sigma_m > 0 || heading_sigma.rad() > 0 || roll_sigma.rad() > 0 ||
-           heave_sigma_m > 0;
+           heave_sigma_m > 0 || lateral_offset_m != 0.0 || heading_offset.rad() != 0.0;
   }
 };
 

@@ -137,7 +137,7 @@ JudgedRule feature_rule(const Criterion& criterion, Grids grids, const JudgeOpti
     const auto left =
         std::count(poor.begin(), poor.end(), 0) - std::count(about.begin(), about.end(), 0);
     shown += static_cast<double>(left) * grid.cell_m * grid.cell_m;
-    tally.add(grid, about, in_boxes(poor, grid, criterion.gap_cells));
+    tally.add(grid, about, missed_cubes(criterion, grid));
   }
   const std::string size =
       std::isinf(rule.shoal_m)
@@ -168,9 +168,7 @@ JudgedRule coverage_rule(const Criterion& criterion, Grids grids, const JudgeOpt
     covered += static_cast<double>(std::count(lacking.begin(), lacking.end(), 0) -
                                    std::count(asked.begin(), asked.end(), 0)) *
                grid.cell_m * grid.cell_m;
-    tally.add(grid, asked,
-              criterion.gap == GapRule::row ? in_rows(lacking, grid, criterion.gap_cells)
-                                            : in_boxes(lacking, grid, criterion.gap_cells));
+    tally.add(grid, asked, gaps_in(criterion, grid));
   }
   JudgedRule result = tally.rule("coverage", std::string(criterion.coverage_text));
   result.pass = tally.reaches(100.0);
@@ -197,7 +195,7 @@ double mean_depth_m(Grids grids) {
 // Soundings are no farther apart than allowed where no ground is farther than half of that from
 // one.
 JudgedRule spread_rule(const Criterion& criterion, Grids grids, const JudgeOptions& options) {
-  const double apart = std::max(kMeanDepths * mean_depth_m(grids), kLeastSpreadM);
+  const double apart = depths_apart_m(mean_depth_m(grids));
   RuleTally spread(options);
   RuleTally share(options);
   double farthest = 0.0;
@@ -256,6 +254,10 @@ Verdict judge(const Criterion& criterion, Grids grids, const JudgeOptions& optio
   verdict.pass = std::all_of(verdict.rules.begin(), verdict.rules.end(),
                              [](const JudgedRule& rule) { return rule.pass; });
   return verdict;
+}
+
+double depths_apart_m(double mean_depth_m) {
+  return std::max(kMeanDepths * mean_depth_m, kLeastSpreadM);
 }
 
 std::string sentence(const Verdict& verdict) {

@@ -75,6 +75,10 @@ struct JudgeOptions {
 [[nodiscard]] Verdict judge(const Criterion& criterion, std::span<const JudgedGrid> grids,
                             const JudgeOptions& options = {});
 
+/// How far apart depths may lie where a criterion does not ask for all of the ground
+/// (GapRule::spread), metres.
+[[nodiscard]] double depths_apart_m(double mean_depth_m);
+
 /// "predicted to pass IHO S-44 Special Order", or to fail, and by which rules.
 [[nodiscard]] std::string sentence(const Verdict& verdict);
 

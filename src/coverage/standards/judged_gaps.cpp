@@ -126,7 +126,36 @@ class PlaceFlood {
   std::vector<std::size_t> cells_;
 };
 
+template <class Test>
+CellMask asked_cells(const JudgedGrid& grid, Test test) {
+  CellMask mask(grid.cells.size(), 0);
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    mask[i] = grid.cells[i].asked && test(grid.cells[i]) ? 1 : 0;
+  }
+  return mask;
+}
+
 }  // namespace
+
+CellMask gaps_in(const Criterion& criterion, const JudgedGrid& grid) {
+  if (criterion.gap == GapRule::spread) return CellMask(grid.cells.size(), 0);
+  const int lines = lines_asked(criterion);
+  const CellMask lacking = asked_cells(grid, [&](const auto& c) { return c.lines < lines; });
+  return criterion.gap == GapRule::row ? in_rows(lacking, grid, criterion.gap_cells)
+                                       : in_boxes(lacking, grid, criterion.gap_cells);
+}
+
+CellMask missed_cubes(const Criterion& criterion, const JudgedGrid& grid) {
+  if (!criterion.features) return CellMask(grid.cells.size(), 0);
+  const FeatureRule& rule = *criterion.features;
+  return in_boxes(asked_cells(grid,
+                              [&](const JudgedCell& c) {
+                                return c.accepted > 0 &&
+                                       (c.feature_pings < static_cast<float>(rule.pings) ||
+                                        c.feature_beams < static_cast<float>(rule.beams));
+                              }),
+                  grid, criterion.gap_cells);
+}
 
 CellMask in_boxes(const CellMask& lacking, const JudgedGrid& grid, int side) {
   CellMask marked(lacking.size(), 0);

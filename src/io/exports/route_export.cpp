@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "coverage/route/leg_table.h"
 #include "coverage/route/thin_route.h"
 #include "io/exports/geographic_route.h"
 #include "io/exports/mission_plan.h"
@@ -18,6 +19,7 @@
 #include "io/exports/route_rtz.h"
 #include "io/exports/survey_runs.h"
 #include "io/files/atomic_file.h"
+#include "io/route/route_csv.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
@@ -225,7 +227,14 @@ std::vector<ExportedRoute> export_route(const fs::path& folder, const std::strin
     }
     all.push_back(std::move(done));
   }
+  if (!all.empty()) {
+    write_route_csv(leg_table_file(folder, stem), leg_table(planar.route), planar.frame);
+  }
   return all;
+}
+
+fs::path leg_table_file(const fs::path& folder, const std::string& stem) {
+  return folder / (stem + ".legs.csv");
 }
 
 void remove_exports(const fs::path& folder, const std::string& stem,
@@ -238,6 +247,7 @@ void remove_exports(const fs::path& folder, const std::string& stem,
     }
     for (const fs::path& file : files) fs::remove(file, error);
   }
+  fs::remove(leg_table_file(folder, stem), error);
 }
 
 }  // namespace swathplan

@@ -55,9 +55,13 @@ void check(const ExportOptions& options);
 /// @throws InvalidInput if a format is in longitude and latitude and the frame has no CRS.
 void check_export_crs(const std::vector<ExportFormat>& formats, const Frame& frame);
 
-/// Writes the route as `stem.FORMAT` into `folder`. Formats in longitude and latitude are written
-/// from `geographic`. Formats in the coordinates of the input file are written from `planar`. Both
-/// must be the same route.
+/// Where the table of the legs' kinds, logging, angles and speeds stands (leg_table.h).
+[[nodiscard]] std::filesystem::path leg_table_file(const std::filesystem::path& folder,
+                                                   const std::string& stem);
+
+/// Writes the route as `stem.FORMAT` into `folder`, and its leg table as `stem.legs.csv`. Formats
+/// in longitude and latitude are written from `geographic`. Formats in the coordinates of the input
+/// file are written from `planar`. Both must be the same route.
 /// @throws InvalidInput as check_export_crs does, or if a route is not valid or a file cannot be
 ///   written.
 [[nodiscard]] std::vector<ExportedRoute> export_route(const std::filesystem::path& folder,
@@ -66,8 +70,8 @@ void check_export_crs(const std::vector<ExportFormat>& formats, const Frame& fra
                                                       const PlacedRoute& planar,
                                                       const ExportOptions& options);
 
-/// Removes what export_route wrote earlier under that name in these formats. Otherwise somebody
-/// might sail an older route or a part of one.
+/// Removes what export_route wrote earlier under that name in these formats, and its leg table.
+/// Otherwise somebody might sail an older route or a part of one.
 void remove_exports(const std::filesystem::path& folder, const std::string& stem,
                     const std::vector<ExportFormat>& formats);
 

@@ -7,123 +7,13 @@
 
 #include "planners/fitted/held_fans.h"
 #include "planners/fitted/infill_passes_internal.h"
-#include "planners/rows/route_stretches.h"
+#include "planners/fitted/itinerary.h"
 
 namespace swathplan {
 namespace {
 
 /// Rounding of cutting a pass at the outline, metres.
 constexpr double kPassDust = 1e-6;
-
-/// The stretches in sailing order. Finds the place between two of them where a pass costs least.
-class Itinerary {
- public:
-  Itinerary(std::vector<RouteStretch> stretches, const JoinCost& cost)
-      : stretches_(std::move(stretches)), cost_(cost) {}
-
-  struct Place {
-    std::size_t before = 0;  ///< index of the line before which it goes; size(): at the end
-    bool backwards = false;
-    double cost = std::numeric_limits<double>::infinity();
-  };
-
-  [[nodiscard]] Place cheapest(const InfillPass& pass) const {
-    // Straight ways are lower bounds of the ways through the water, so they are compared first.
-    std::vector<Place> places;
-    for (std::size_t k = 0; k <= stretches_.size(); ++k) {
-      if (k < stretches_.size() && (stretches_[k].join || goes_on(k))) continue;
-      for (const bool backwards : {false, true}) {
-        places.push_back({k, backwards, detour(pass, k, backwards, false)});
-      }
-    }
-    std::stable_sort(places.begin(), places.end(),
-                     [](const Place& a, const Place& b) { return a.cost < b.cost; });
-    Place best;
-    constexpr std::size_t kLook = 8;
-    for (std::size_t i = 0; i < std::min(kLook, places.size()); ++i) {
-      if (places[i].cost >= best.cost) break;
-      places[i].cost = detour(pass, places[i].before, places[i].backwards, true);
-      if (places[i].cost < best.cost) best = places[i];
-    }
-    return best;
-  }
-
-  void insert(std::vector<Waypoint> points, std::size_t before) {
-    if (before > 0 && before <= stretches_.size() && stretches_[before - 1].join) {
-      stretches_[before - 1] = {std::move(points), false};
-      return;
-    }
-    stretches_.insert(stretches_.begin() + static_cast<std::ptrdiff_t>(before),
-                      {std::move(points), false});
-  }
-
-  /// Runs of stretches that keep the joins between them. Each run is added as one line.
-  [[nodiscard]] std::vector<std::vector<Waypoint>> runs() const {
-    std::vector<std::vector<Waypoint>> result;
-    bool after_join = false;
-    for (const RouteStretch& s : stretches_) {
-      if (s.join || after_join) {
-        if (s.join && !result.empty()) result.back().pop_back();
-        if (result.empty()) result.emplace_back();
-        result.back().insert(result.back().end(), s.points.begin(), s.points.end());
-      } else if (!result.empty() && result.back().back().position == s.points.front().position) {
-        // The next leg of one line.
-        result.back().pop_back();
-        result.back().insert(result.back().end(), s.points.begin(), s.points.end());
-      } else {
-        result.push_back(s.points);
-      }
-      after_join = s.join;
-    }
-    return result;
-  }
-
- private:
-  /// Whether stretch k is the next leg of the line before it.
-  [[nodiscard]] bool goes_on(std::size_t k) const {
-    return k > 0 && !stretches_[k].join && !stretches_[k - 1].join &&
-           stretches_[k].points.front().position == stretches_[k - 1].points.back().position;
-  }
-  [[nodiscard]] double detour(const InfillPass& pass, std::size_t before, bool backwards,
-                              bool through_water) const {
-    const Vec2 from = backwards ? pass.to : pass.from;
-    const Vec2 to = backwards ? pass.from : pass.to;
-    const Vec2 course = (to - from).normalized();
-    const auto way = [&](const Vec2& a, const Vec2& ca, const Vec2& b, const Vec2& cb) {
-      const double metres = through_water ? cost_.way(a, b) : (b - a).norm();
-      return metres + cost_.turning(a, ca, b, cb, metres);
-    };
-    double sum = 0.0;
-    const bool join = before > 0 && stretches_[before - 1].join;
-    const std::size_t last = join ? before - 1 : before;
-    if (last > 0) {
-      const LineEnds ends = ends_of(stretches_[last - 1].points);
-      sum += way(ends.to, ends.course_to, from, course);
-    }
-    if (before < stretches_.size()) {
-      const LineEnds ends = ends_of(stretches_[before].points);
-      sum += way(to, course, ends.from, ends.course_from);
-      if (last > 0) {
-        const LineEnds previous = ends_of(stretches_[last - 1].points);
-        sum -= join ? join_length(before)
-                    : way(previous.to, previous.course_to, ends.from, ends.course_from);
-      }
-    }
-    return sum;
-  }
-
-  [[nodiscard]] double join_length(std::size_t before) const {
-    double length = 0.0;
-    const auto& points = stretches_[before - 1].points;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      length += (points[i + 1].position - points[i].position).norm();
-    }
-    return length + (stretches_[before].points.front().position - points.back().position).norm();
-  }
-
-  std::vector<RouteStretch> stretches_;
-  const JoinCost& cost_;
-};
 
 double length_of(const InfillPass& pass) { return (pass.to - pass.from).norm(); }
 
@@ -151,7 +41,7 @@ double median_width(const std::vector<float>& width) {
 
 InfilledRoute with_infill(const Route& route, const CoverageGrid& grid, LineWorkshop& shop,
                           const InfillOptions& options) {
-  Itinerary itinerary(stretches(route), shop.joins());
+  Itinerary itinerary(route, shop.joins());
   const std::vector<float>& width = shop.width(1.0);
   EmptyGround empty(grid, shop, options.least_gain * median_width(width), options.smallest_m2);
   // A pass is no use if the boat cannot turn onto it or away from it.
@@ -163,7 +53,8 @@ InfilledRoute with_infill(const Route& route, const CoverageGrid& grid, LineWork
       return std::numeric_limits<double>::infinity();
     if (!shop.connector().has_room({pass.from, pass.to}))
       return std::numeric_limits<double>::infinity();
-    return std::max(0.0, itinerary.cheapest(pass).cost) + length_of(pass) - length_of(found);
+    return std::max(0.0, itinerary.cheapest(pass.from, pass.to).cost) + length_of(pass) -
+           length_of(found);
   };
   InfilledRoute result;
   double promised = 0.0;
@@ -172,7 +63,7 @@ InfilledRoute with_infill(const Route& route, const CoverageGrid& grid, LineWork
     const auto found = empty.take_best(detour);
     if (!found) break;
     const InfillPass pass = lengthened(*found, least);
-    const Itinerary::Place place = itinerary.cheapest(pass);
+    const Itinerary::Place place = itinerary.cheapest(pass.from, pass.to);
     const SurveyCurve line =
         place.backwards ? straight_curve(pass.to, pass.from) : straight_curve(pass.from, pass.to);
     auto opened = opened_lines({line}, shop.raster(), width, shop.survey_area(), shop.options(),

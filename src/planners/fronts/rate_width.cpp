@@ -3,7 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coverage/standards/criterion_fan.h"
+
 namespace swathplan {
+
+namespace {
+
+/// The question at one depth: the criterion's own cells and soundings, if there is one. Empty where
+/// it accepts no sounding.
+std::optional<RateQuestion> question_at(const PlanOptions& options, double stretch, double below) {
+  const RateQuestion plain = rate_question(options, stretch);
+  if (options.criterion == nullptr) return plain;
+  std::optional<RateQuestion> asked =
+      asked_by(*options.criterion, *options.uncertainty, plain, below, options.vehicle.draft_m);
+  if (!asked) return asked;
+  asked->cell_m *= stretch;
+  asked->soundings *= stretch * stretch;
+  if (asked->ping_spacing_m) *asked->ping_spacing_m *= stretch;
+  return asked;
+}
+
+}  // namespace
 
 RateQuestion rate_question(const PlanOptions& options, double stretch) {
   RateQuestion question;
@@ -33,7 +53,8 @@ double least_hours(const WaterRaster& raster, const PlanOptions& options) {
 
 std::vector<float> rate_width_field(const WaterRaster& raster, const PlanOptions& options,
                                     double stretch, double overlap) {
-  const RateQuestion question = rate_question(options, stretch);
+  // Where each place must be seen by two lines, neighbours lie half as far apart.
+  const double lines = options.criterion != nullptr ? lines_asked(*options.criterion) : 1.0;
   // The swath depends on the depth alone, so a table saves one search per cell.
   double deepest = 0.0;
   for (std::size_t i = 0; i < raster.size(); ++i) deepest = std::max(deepest, raster.depth(i));
@@ -43,7 +64,8 @@ std::vector<float> rate_width_field(const WaterRaster& raster, const PlanOptions
   for (std::size_t k = 0; k < table.size(); ++k) {
     const double depth = static_cast<double>(k) * step;
     const double below = std::max(depth - options.vehicle.draft_m, 1e-3);
-    const auto best = best_area_rate(question, below);
+    const auto question = question_at(options, stretch, below);
+    const auto best = question ? best_area_rate(*question, below) : std::nullopt;
     table[k] = best ? 2.0 * below * tan(best->half_angle)
                     : gap_free_width_m(options, depth, stretch * options.resolution_m);
   }
@@ -53,8 +75,8 @@ std::vector<float> rate_width_field(const WaterRaster& raster, const PlanOptions
     const double at = raster.depth(i) / step;
     const auto k = static_cast<std::size_t>(at);
     const double share = at - static_cast<double>(k);
-    widths[i] =
-        static_cast<float>((1.0 - overlap) * ((1.0 - share) * table[k] + share * table[k + 1]));
+    widths[i] = static_cast<float>((1.0 - overlap) / lines *
+                                   ((1.0 - share) * table[k] + share * table[k + 1]));
   }
   return widths;
 }

@@ -95,7 +95,7 @@ TEST(JudgedSurvey, OfDenseLinesOverALevelFloorPasses) {
   EXPECT_TRUE(survey.verdict.pass) << sentence(survey.verdict);
   EXPECT_EQ(survey.accepted, survey.soundings);
   EXPECT_GT(survey.pings, 1000U);
-  EXPECT_EQ(survey.out_of_reach_m2, 0.0);
+  EXPECT_EQ(survey.out_of_reach.total_m2(), 0.0);
   EXPECT_NEAR(survey.verdict.judged_m2, 3600.0, 1e-6);
 }
 
@@ -158,9 +158,9 @@ TEST(JudgedSurvey, LeavesOutWhatNoSafePlaceSees) {
   site.site.ground.water = rectangle(-10, -10, 20, 70);
   Route route = route_through({{15, -5}, {15, 65}}, fan_of(70));
   const JudgedSurvey survey = site.judged(route, "s44-1a");
-  EXPECT_GT(survey.out_of_reach_m2, 500.0);
-  EXPECT_LT(survey.out_of_reach_m2, 60.0 * 30.0 + 60.0);
-  EXPECT_NEAR(survey.verdict.judged_m2 + survey.out_of_reach_m2, 3600.0, 1e-6);
+  EXPECT_GT(survey.out_of_reach.total_m2(), 500.0);
+  EXPECT_LT(survey.out_of_reach.total_m2(), 60.0 * 30.0 + 60.0);
+  EXPECT_NEAR(survey.verdict.judged_m2 + survey.out_of_reach.total_m2(), 3600.0, 1e-6);
 }
 
 TEST(JudgedSurvey, RefusesCellsFinerThanTheDataUnlessTheGroundIsSmooth) {

@@ -20,6 +20,8 @@ TEST(VerdictJson, SaysWhatFailsAndWhereInTheCoordinatesOfTheFile) {
             "100 % coverage and feature search)");
   EXPECT_EQ(written["accepted_soundings_pct"], 75.0);
   EXPECT_EQ(written["out_of_reach_m2"], 4.5);
+  EXPECT_EQ(written["hidden_m2"], 3.0);
+  EXPECT_EQ(written["unsteerable_m2"], 1.5);
   ASSERT_EQ(written["rules"].size(), 2U);
   EXPECT_EQ(written["rules"][0]["pass"], false);
   EXPECT_EQ(written["rules"][0]["figure_pct"], 97.5);

@@ -132,7 +132,7 @@ function listRules(p) {
   if (!c) return;
   $('criterion-sum').textContent = `${c.title}: judged over ${square(c.judged_m2)}; ${number(c.accepted_soundings_pct, 1)} % of ` +
     `${count(c.logged_soundings)} logged soundings within the limits.` +
-    (c.out_of_reach_m2 > 0 ? ` ${square(c.out_of_reach_m2)} that no place in safe water shows to the sonar are not judged.` : '');
+    (c.out_of_reach_m2 > 0 ? ` ${square(c.out_of_reach_m2)} out of reach are not judged: ${square(c.hidden_m2)} that no place in safe water shows to the sonar, ${square(c.unsteerable_m2)} shown only from places that the boat cannot be steered through or held at.` : '');
   $('criterion').replaceChildren(table('What the criterion asks and what is predicted',
     ['', 'Rule', 'Predicted', 'Asked', 'Where it falls short: x, y'].map((name) => headCell(name, 'l')), c.rules.map(ruleRow)));
 }
