@@ -19,6 +19,7 @@ namespace {
 
 struct PlanCommand {
   SiteOptions site;
+  CoveredChoice covered;
   SurveyOptions survey;
   OutputOptions output;
   ExportChoice exports;
@@ -37,6 +38,7 @@ Provenance provenance_of(const PlanCommand& command, const Survey& survey,
                          const std::string& input_hash) {
   Provenance provenance = provenance_of("plan", command.site, input_hash);
   PlanCommand typed = command;
+  record(provenance, covered_options(typed.covered));
   record_scoring(provenance, typed.survey, survey);
   record(provenance, own_options(typed));
   record_planning(provenance, typed.survey, survey);
@@ -161,6 +163,7 @@ void run(const PlanCommand& command) {
   const ExportOptions exports = export_options(command.exports);
   const auto site = load_site(command.site, survey.vehicle);
   check_export_crs(exports.formats, site->seafloor().frame);
+  take_off_covered(*site, command.covered, survey, command.site.layers);
   note_reach(*site, survey);
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
@@ -210,10 +213,11 @@ Command plan_command() {
   auto command = std::make_shared<PlanCommand>();
   return {"plan",
           "Plan a survey with one planner: route, score, report",
-          joined({site_options(command->site), scoring_options(command->survey),
-                  criteria_options(command->survey.criteria), own_options(*command),
-                  planning_options(command->survey.planning), job_options(command->job),
-                  exporting_options(command->exports), output_options(command->output)}),
+          joined({site_options(command->site), covered_options(command->covered),
+                  scoring_options(command->survey), criteria_options(command->survey.criteria),
+                  own_options(*command), planning_options(command->survey.planning),
+                  job_options(command->job), exporting_options(command->exports),
+                  output_options(command->output)}),
           [command] { run(*command); },
           {}};
 }
