@@ -37,7 +37,8 @@ CLI::Option* registered(CLI::App& app, const Option& row) {
     if (row.count > 0) {
       option->expected(static_cast<int>(row.count));
     } else {
-      option->expected(1, CLI::detail::expected_max_vector_size);
+      // Each flag takes one text, so that the argument behind it stays one.
+      option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);
     }
   }
   return option;

@@ -17,6 +17,7 @@ namespace {
 
 struct CompareCommand {
   SiteOptions site;
+  CoveredChoice covered;
   SurveyOptions survey;
   OutputOptions output;
   ExportChoice exports;
@@ -33,6 +34,7 @@ Provenance provenance_of(const CompareCommand& command, const Survey& survey,
                          const std::string& input_hash) {
   Provenance provenance = provenance_of("compare", command.site, input_hash);
   CompareCommand typed = command;
+  record(provenance, covered_options(typed.covered));
   record_scoring(provenance, typed.survey, survey);
   record(provenance, own_options(typed));
   record_planning(provenance, typed.survey, survey);
@@ -59,6 +61,7 @@ void run(const CompareCommand& command) {
   TerminalWatch watch(command.output.quiet, command.output.folder);
   const auto site = load_site(command.site, how.vehicle, Watch(watch));
   check_export_crs(exports.formats, site->seafloor().frame);
+  take_off_covered(*site, command.covered, how, command.site.layers);
   note_reach(*site, how);
   watch.rest();
   print_notes(*site, command.output.quiet);
@@ -136,9 +139,10 @@ Command compare_command() {
   }
   return {"compare",
           "Plan with several planners: one table, one report",
-          joined({site_options(command->site), scoring_options(command->survey),
-                  own_options(*command), planning_options(command->survey.planning),
-                  exporting_options(command->exports), output_options(command->output)}),
+          joined({site_options(command->site), covered_options(command->covered),
+                  scoring_options(command->survey), own_options(*command),
+                  planning_options(command->survey.planning), exporting_options(command->exports),
+                  output_options(command->output)}),
           [command] { run(*command); },
           {}};
 }

@@ -71,7 +71,8 @@ Command export_command() {
       "export",
       "Write a route as files that autopilots, chart systems and survey packages read",
       {argument("ROUTE", command->route,
-                "route.csv or another CSV, GeoJSON, .plan, .waypoints, GPX, KML, RTZ, LNW, DXF"),
+                "route.csv or another CSV, GeoJSON, .plan, .waypoints, GPX, KML, RTZ, LNW, RLN, "
+                "asciiplan, DXF, GeoPackage, YAML of a ROS path"),
        required(texts("--format", group, command->choice.formats,
                       "Of " + export_format_names() + "; separated by commas", "format")),
        real("--tolerance", group, command->choice.tolerance_m, kMetres, at_least(0.0),

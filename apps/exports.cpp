@@ -60,8 +60,8 @@ void print_export_warnings(const Route& route, const std::vector<ExportedRoute>&
     fmt::print(
         stderr,
         "note: the exported files hold no opening angles; those of the route change along {} "
-        "line{}, see port_deg,stbd_deg in route.csv\n",
-        lines, lines == 1 ? "" : "s");
+        "line{}, see {}\n",
+        lines, lines == 1 ? "" : "s", "port_deg,stbd_deg in route.csv, or the table .lines.csv");
   }
   for (const ExportedRoute& e : exported) {
     for (const std::string& warning : e.warnings)
@@ -95,17 +95,22 @@ ExportOptions sailable_exports(const Route& route, const AreaQuery* water,
   const double astray = astray_m(route, water);
   if (!(astray > 0.0)) return options;
   ExportOptions kept = options;
-  std::erase_if(kept.formats, [](ExportFormat format) { return is_geographic(format); });
+  std::erase_if(kept.formats, is_sailed);
   if (kept.formats.size() == options.formats.size()) return options;
   std::vector<std::string_view> left_out;
   for (const ExportFormat format : options.formats) {
-    if (is_geographic(format)) left_out.push_back(name(format));
+    if (is_sailed(format)) left_out.push_back(name(format));
+  }
+  std::vector<std::string_view> others;
+  for (const ExportFormat format : all_export_formats()) {
+    if (!is_sailed(format)) others.push_back(name(format));
   }
   why = fmt::format(
       "no {} was written: {:.0f} m of the way between lines are marked infeasible{}, and a vehicle "
-      "would sail them; lnw and dxf can be had",
+      "would sail them; {} can be had",
       fmt::join(left_out, ", "), astray,
-      water != nullptr ? " and lead over land or through a no-go area" : "");
+      water != nullptr ? " and lead over land or through a no-go area" : "",
+      fmt::join(others, ", "));
   return kept;
 }
 

@@ -20,6 +20,7 @@ namespace {
 
 const char* const kSeafloorGroup = "Seafloor";
 const char* const kHazardGroup = "Charts and hazards";
+const char* const kCoveredGroup = "Already covered";
 const char* const kScoringGroup = "Scoring";
 const char* const kSonarGroup = "Sonar";
 const char* const kVehicleGroup = "Vehicle";
@@ -42,9 +43,11 @@ const OptionTable& shared_options() {
   static SurveyOptions survey;
   static ExportChoice exports;
   static JobChoice job;
+  static CoveredChoice covered;
   static const OptionTable table =
-      joined({site_options(site), scoring_options(survey), criteria_options(survey.criteria),
-              planning_options(survey.planning), job_options(job), exporting_options(exports)});
+      joined({site_options(site), covered_options(covered), scoring_options(survey),
+              criteria_options(survey.criteria), planning_options(survey.planning),
+              job_options(job), exporting_options(exports)});
   return table;
 }
 
@@ -127,6 +130,23 @@ OptionTable site_options(SiteOptions& o, bool with_file) {
       real("--chart-margin", kHazardGroup, o.chart_margin_m, kMetres, at_least(0.0),
            "So much of a chart around the --area is used, metres", "chart_margin_m"),
   };
+}
+
+OptionTable covered_options(CoveredChoice& o) {
+  OptionTable table{
+      texts("--covered", kCoveredGroup, o.files,
+            "What was surveyed before, which is not planned again: rasters of soundings a cell or "
+            "of depths, soundings, polygons, tracks; several separated by commas, or given one by "
+            "one",
+            "covered_files"),
+      real("--covered-swath", kCoveredGroup, o.swath_m, kMetres, above(0.0),
+           "Tracks without angles covered a strip so wide, metres", "covered_swath_m"),
+      real("--covered-opening", kCoveredGroup, o.opening_deg, kDegrees, between(0.0, 180.0),
+           "... or what the sonar sees with this full opening angle, degrees",
+           "covered_opening_deg"),
+  };
+  table[1].excludes = {"--covered-opening"};
+  return table;
 }
 
 namespace {

@@ -27,6 +27,12 @@ struct SiteOptions {
   double chart_margin_m = 1000.0;    ///< of a chart, how much around the area is used
 };
 
+/// What was surveyed before.
+struct CoveredChoice {
+  std::vector<std::string> files;
+  std::optional<double> swath_m, opening_deg;
+};
+
 /// A preset and what overrides it.
 struct SonarChoice {
   std::string preset = "norbit-iwbms";
@@ -134,6 +140,8 @@ struct ExportChoice {
 
 /// FILE and how to read it, with what is kept off; optional where a command works without.
 [[nodiscard]] OptionTable site_options(SiteOptions& site, bool with_file = true);
+/// Earlier surveys: of `plan`, `compare` and `score`.
+[[nodiscard]] OptionTable covered_options(CoveredChoice& covered);
 /// The row that names the profile; command_line.cpp fills from it what nobody gave.
 [[nodiscard]] Option profile_option(std::string& profile);
 [[nodiscard]] OptionTable vehicle_options(VehicleChoice& vehicle);

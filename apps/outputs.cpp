@@ -123,6 +123,14 @@ std::string table(const std::vector<PlannedSurvey>& surveys) {
         score.holidays.count, score.route.outside_water_m, score.route.tight_turn_m,
         score.route.infeasible_legs, score.route.duration_s / 3600.0);
   }
+  for (const PlannedSurvey& s : surveys) {
+    const auto& whole = s.scored.score.whole;
+    if (!whole) continue;
+    text += fmt::format(
+        "{}: {:.2f} % of the whole survey area are covered, with what was covered before ({:.2f} "
+        "%)\n",
+        s.record.label, whole->logged_pct, whole->before_pct);
+  }
   return text;
 }
 

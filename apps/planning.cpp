@@ -180,7 +180,8 @@ const Planner& planner(const std::string& name) {
 }
 
 Scorer::Scorer(const Site& site, const Survey& survey, Watch watch)
-    : survey_(&survey),
+    : site_(&site),
+      survey_(&survey),
       scene_(site.seafloor(), survey.scoring.nodata),
       ground_(site.ground(&scene_)),
       watch_(std::move(watch)) {
@@ -211,6 +212,7 @@ ScoredRoute Scorer::score(const std::string& phase, const Route& route) const {
   options.progress = [&](double share, std::uint64_t) { watch_.share(share); };
   ScoredRoute scored = swathplan::score(route, ground_, survey_->sonar, survey_->vehicle, options);
   scored.score.least_hours = least_hours_;
+  if (site_->covered) scored.score.whole = site_->covered->whole(scored.grid, site_->rest);
   return scored;
 }
 

@@ -68,6 +68,7 @@ class Scorer {
                                                   const Route& route) const;
 
  private:
+  const Site* site_;
   const Survey* survey_;
   RayScene scene_;
   Ground ground_;

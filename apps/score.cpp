@@ -18,6 +18,7 @@ namespace {
 
 struct ScoreCommand {
   SiteOptions site;
+  CoveredChoice covered;
   SurveyOptions survey;
   OutputOptions output;
   std::filesystem::path route;
@@ -46,6 +47,7 @@ Provenance provenance_of(const ScoreCommand& command, const Survey& survey,
                          const std::string& input_hash) {
   Provenance provenance = provenance_of("score", command.site, input_hash);
   ScoreCommand typed = command;
+  record(provenance, covered_options(typed.covered));
   record_scoring(provenance, typed.survey, survey);
   record(provenance, own_options(typed));
   return provenance;
@@ -110,6 +112,7 @@ void run(const ScoreCommand& command) {
   TerminalWatch watch(command.output.quiet, command.output.folder);
   const auto site = load_site(command.site, vehicle, Watch(watch));
   watch.rest();
+  take_off_covered(*site, command.covered, survey, command.site.layers);
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
   const Provenance provenance = provenance_of(command, survey, site->imported.input_hash);
@@ -179,9 +182,11 @@ Command score_command() {
       "score",
       "Score any route: of this program, of an autopilot, chart system or survey package",
       joined({site_options(command->site),
+              covered_options(command->covered),
               {argument(
                   "ROUTE", command->route,
-                  "route.csv or another CSV, GeoJSON, .plan, .waypoints, GPX, KML, RTZ, LNW, DXF")},
+                  "route.csv or another CSV, GeoJSON, .plan, .waypoints, GPX, KML, RTZ, LNW, RLN, "
+                  "asciiplan, DXF, GeoPackage, YAML of a ROS path")},
               scoring_options(command->survey),
               criteria_options(command->survey.criteria),
               own_options(*command),

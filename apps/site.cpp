@@ -8,6 +8,7 @@
 #include <map>
 
 #include "io/charts/hazards.h"
+#include "io/covered/import_covered.h"
 #include "io/files/crs.h"
 #include "io/files/lonlat.h"
 #include "io/seafloor/area_import.h"
@@ -15,6 +16,7 @@
 #include "mesh/cropped.h"
 #include "mesh/plane/area_query.h"
 #include "mesh/survey_area.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
@@ -229,6 +231,7 @@ std::string unserved_note(const Site& site, const Route& route) {
     if (part.area.empty() || serves(route, part.area)) continue;
     const double whole_m2 = area_m2(part.area);
     const double surveyed_m2 = area_m2(intersect(part.area, site.survey_area));
+    if (site.covered && surveyed_m2 < kWorthSaying) continue;  // covered before
     names.push_back(fmt::format("{} ({:.0f} of {:.0f} m2 are survey area, {:.0f} m2 safe water)",
                                 title(part, site), surveyed_m2, whole_m2,
                                 area_m2(intersect(part.area, site.water))));
@@ -332,6 +335,69 @@ std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehic
   note_shoals(*site, bounds);
   note_cut_off(*site);
   return site;
+}
+
+namespace {
+
+CoveredOptions covered_how(const Site& site, const RayScene& scene, const CoveredChoice& choice,
+                           const Survey& survey, const std::vector<std::string>& layers) {
+  CoveredOptions how;
+  how.whole = site.ground(&scene);
+  how.sonar = survey.sonar;
+  how.vehicle = survey.vehicle;
+  how.scoring = survey.scoring;
+  how.logged_only = survey.planning.counted == Counted::logged;
+  how.track_swath_m = choice.swath_m;
+  if (choice.opening_deg) {
+    const Angle half = Angle::degrees(*choice.opening_deg / 2.0);
+    how.track_fan = FanAngles{half, half};
+  }
+  how.layers = layers;
+  return how;
+}
+
+void note_rest(Site& site, const Survey& survey) {
+  const double whole_m2 = area_m2(site.survey_area);
+  const double rest_m2 = area_m2(site.rest.area);
+  const auto before = static_cast<double>(site.covered->covered_cells());
+  const double share = 100.0 * before / static_cast<double>(site.covered->cells());
+  const std::string gaps =
+      site.rest.gaps == 0
+          ? ""
+          : fmt::format(
+                "; {} of it, {:.1f} m2, {} narrower than {} cells or smaller than {:g} m2 "
+                "and left as {}",
+                counted(site.rest.gaps, "gap"), site.rest.gaps_m2,
+                site.rest.gaps == 1 ? "is" : "are", kNarrowestRest, survey.scoring.holiday_m2,
+                site.rest.gaps == 1 ? "it is" : "they are");
+  if (site.rest.area.empty()) {
+    throw InvalidInput(
+        fmt::format("the survey area is covered already ({:.2f} % of its cells{}): nothing is left",
+                    share, gaps));
+  }
+  site.notes.push_back(fmt::format(
+      "{:.2f} % of the survey area ({:.0f} m2) were covered before{}. The rest, {:.0f} m2 in {}, "
+      "is what figures and holidays are of, unless they say 'whole'",
+      share, whole_m2, gaps, rest_m2, counted(site.rest.area.size(), "piece")));
+}
+
+}  // namespace
+
+void take_off_covered(Site& site, const CoveredChoice& choice, const Survey& survey,
+                      const std::vector<std::string>& layers) {
+  if (choice.files.empty()) return;
+  const auto wanted = static_cast<std::uint32_t>(std::ceil(survey.planning.soundings));
+  auto before = std::make_shared<CoveredBefore>(site.survey_area, survey.scoring.resolution_m,
+                                                std::max(1U, wanted));
+  const RayScene scene(site.seafloor(), survey.scoring.nodata);
+  const CoveredOptions how = covered_how(site, scene, choice, survey, layers);
+  for (const std::string& file : choice.files) {
+    add_covered(file, site.seafloor().frame, how, *before, site.notes);
+  }
+  site.covered = before;
+  site.rest = before->rest(survey.scoring.holiday_m2);
+  note_rest(site, survey);
+  site.survey_area = site.rest.area;
 }
 
 }  // namespace swathplan

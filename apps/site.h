@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "apps/survey.h"
+#include "coverage/covered/covered_before.h"
 #include "io/charts/hazards.h"
 #include "io/seafloor/area_import.h"
 #include "mesh/base/watch.h"
@@ -13,7 +14,7 @@ namespace swathplan {
 struct Site {
   ImportedSeafloor imported;
   std::unique_ptr<DepthQuery> depths;
-  Area survey_area;  ///< cells that count
+  Area survey_area;  ///< cells that count; of a survey that is covered in part, the rest
   Area water;        ///< safe for the boat: deep enough, clear of walls and no-go
   Area no_go;
   Area keep_off;                   ///< not sailed over, but its cells count
@@ -21,11 +22,17 @@ struct Site {
   std::vector<AreaPart> parts;     ///< the polygons that were asked for, where there are several
   double cut_off_m2 = 0.0;         ///< of the survey area outside the safe water
   std::vector<std::string> notes;  ///< one sentence each, for people
+  /// Where a part was surveyed before (take_off_covered): the cells of the whole, and what is
+  /// left of them.
+  std::shared_ptr<const CoveredBefore> covered;
+  Rest rest;
 
   [[nodiscard]] const Seafloor& seafloor() const { return imported.seafloor; }
   /// What routes of the site are planned and scored on. Without a scene planners cannot simulate.
   [[nodiscard]] Ground ground(const RayScene* scene) const {
-    return {&imported.seafloor, depths.get(), survey_area, water, scene};
+    Ground ground{&imported.seafloor, depths.get(), survey_area, water, scene};
+    if (covered) ground.lattice = covered->grid().origin();
+    return ground;
   }
 };
 
@@ -33,7 +40,8 @@ struct Site {
 /// them can be surveyed: one sentence, empty where each has one.
 [[nodiscard]] std::string unserved_note(const Site& site, const Route& route);
 
-/// Refuses a given route that nowhere comes near the data: it is in another CRS or of another place.
+/// Refuses a given route that nowhere comes near the data: it is in another CRS or of another
+/// place.
 /// @throws InvalidInput that names its file.
 void check_meets_data(const Route& route, const Site& site, const std::filesystem::path& file);
 
@@ -41,5 +49,11 @@ void check_meets_data(const Route& route, const Site& site, const std::filesyste
 /// @throws InvalidInput, UsageError as the importers do.
 [[nodiscard]] std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehicle,
                                               const Watch& watch = {});
+
+/// Takes what was surveyed before off the site's survey area, with notes of each file and of what
+/// is left. Without files the site stays as it is.
+/// @throws InvalidInput if a file cannot be used (io/covered/import_covered.h), or nothing is left.
+void take_off_covered(Site& site, const CoveredChoice& choice, const Survey& survey,
+                      const std::vector<std::string>& layers);
 
 }  // namespace swathplan

@@ -21,6 +21,7 @@ namespace {
 
 struct PlanCommand {
   SiteOptions site;
+  CoveredChoice covered;
   SurveyOptions survey;
   OutputOptions output;
   ExportChoice exports;
@@ -40,6 +41,7 @@ Provenance provenance_of(const PlanCommand& command, const Survey& survey,
                          const std::string& input_hash) {
   Provenance provenance = provenance_of("plan", command.site, input_hash);
   PlanCommand typed = command;
+  record(provenance, covered_options(typed.covered));
   record_scoring(provenance, typed.survey, survey);
   record(provenance, own_options(typed));
   record_planning(provenance, typed.survey, survey);
@@ -193,6 +195,7 @@ void run(const PlanCommand& command) {
   TerminalWatch watch(command.output.quiet, command.output.folder);
   const auto site = load_site(command.site, survey.vehicle, Watch(watch));
   check_export_crs(exports.formats, site->seafloor().frame);
+  take_off_covered(*site, command.covered, survey, command.site.layers);
   note_reach(*site, survey);
   watch.rest();
   print_notes(*site, command.output.quiet);
@@ -247,10 +250,11 @@ Command plan_command() {
   auto command = std::make_shared<PlanCommand>();
   return {"plan",
           "Plan a survey with one planner: route, score, report",
-          joined({site_options(command->site), scoring_options(command->survey),
-                  criteria_options(command->survey.criteria), own_options(*command),
-                  rows_of_planning(command->survey.planning), job_options(command->job),
-                  exporting_options(command->exports), output_options(command->output)}),
+          joined({site_options(command->site), covered_options(command->covered),
+                  scoring_options(command->survey), criteria_options(command->survey.criteria),
+                  own_options(*command), rows_of_planning(command->survey.planning),
+                  job_options(command->job), exporting_options(command->exports),
+                  output_options(command->output)}),
           [command] { run(*command); },
           {}};
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "coverage/tracing/ray_scene.h"
 #include "mesh/plane/polygons.h"
 #include "mesh/seafloor.h"
@@ -16,6 +18,9 @@ struct Ground {
   /// Needed for scoring. Planners use it to simulate their candidates; without it they take their
   /// first candidate.
   const RayScene* scene = nullptr;
+  /// A corner that scoring cells lie at; empty: that of the area's bounding box. Grids over parts
+  /// of one area then have cells in common.
+  std::optional<Vec2> lattice = {};
 };
 
 }  // namespace swathplan

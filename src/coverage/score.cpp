@@ -257,7 +257,7 @@ ScoredRoute score(const Route& route, const Ground& ground, const Sonar& sonar,
   check(route, sonar, options);
   tbb::task_arena arena(thread_count(options));
   ScoredRoute result = arena.execute([&] {
-    return ScoredRoute{{}, CoverageGrid(ground.survey_area, options.resolution_m)};
+    return ScoredRoute{{}, CoverageGrid(ground.survey_area, options.resolution_m, ground.lattice)};
   });
   Score& figures = result.score;
   figures.survey_area_m2 = area_m2(ground.survey_area);

@@ -39,6 +39,16 @@ struct CoverageFigures {
                                         ///< where footprints are not scored
 };
 
+/// Coverage of a survey area of which a part was surveyed before. A cell counts as covered if it
+/// was so before, or if the earlier soundings and the route's are together as many as were wanted.
+struct WholeFigures {
+  std::uint64_t cells = 0;  ///< of the whole area
+  double area_m2 = 0.0;
+  double before_pct = 0.0;                 ///< covered before
+  double all_pct = 0.0, logged_pct = 0.0;  ///< covered with the route: by all pings, by logged ones
+  double left_out_m2 = 0.0;  ///< gaps of the earlier survey that are no part of the rest
+};
+
 /// What a route covers. `logged` counts the pings of logged legs only. Overlap, several_legs_pct,
 /// and the counts are of all pings.
 struct Score {
@@ -54,6 +64,9 @@ struct Score {
   /// Hours that no plan of the area can go under (standards/area_rate.h). score() leaves it empty:
   /// who scores several routes of a site works it out once.
   std::optional<double> least_hours;
+  /// Of the whole area, where the score is of the rest that was not covered before. score() leaves
+  /// it empty: who knows of earlier surveys fills it in (coverage/covered).
+  std::optional<WholeFigures> whole;
   bool logged_counts = false;  ///< as the options said
   Holidays holidays;           ///< of logged pings where these count, else of all
 

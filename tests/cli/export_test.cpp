@@ -16,7 +16,7 @@ using test::Folder;
 using test::text_of;
 using testing::HasSubstr;
 
-const std::string kAll = "waypoints,plan,gpx,rtz,kml,lnw,dxf";
+const std::string kAll = "waypoints,plan,gpx,rtz,kml,asciiplan,lnw,rln,dxf,gpkg,yaml";
 
 std::string plan_shaft(const std::string& more) {
   return "plan " + dataset("shaft.obj") + " --planner back-and-forth --hit-only " + more;

@@ -20,6 +20,13 @@ constexpr double kOnOutline = 1e-9;
 // number: 80.00000000001 m is 800 cells of 0.1 m.
 constexpr double kCellDust = 1e-6;
 
+// The corner of the grid: that of the box, or of the lattice's cell that holds it.
+Vec2 corner_of(const Box2& box, double resolution, const std::optional<Vec2>& lattice) {
+  if (!lattice) return box.min;
+  const Vec2 steps = ((box.min - *lattice) / resolution).array() + kCellDust;
+  return *lattice + resolution * Vec2(std::floor(steps.x()), std::floor(steps.y()));
+}
+
 double cells_across(double length, double resolution) {
   return std::max(1.0, std::ceil(length / resolution - kCellDust));
 }
@@ -121,15 +128,16 @@ void mark_level_edges(CoverageGrid& grid, const Ring& ring) {
 
 }  // namespace
 
-GridSize grid_size(const Area& area, double resolution_m) {
+GridSize grid_size(const Area& area, double resolution_m, const std::optional<Vec2>& lattice) {
   if (!(resolution_m > 0) || !std::isfinite(resolution_m)) {
     throw UsageError("resolution", fmt::format("{} m", resolution_m),
                      "must be greater than 0 and finite");
   }
   const Box2 box = extent(area);
   if (box.empty()) throw InvalidInput("the survey area is empty; give an area that meets the data");
-  const double columns = cells_across(box.size().x(), resolution_m);
-  const double rows = cells_across(box.size().y(), resolution_m);
+  const Vec2 size = box.max - corner_of(box, resolution_m, lattice);
+  const double columns = cells_across(size.x(), resolution_m);
+  const double rows = cells_across(size.y(), resolution_m);
   const auto limit = static_cast<double>(CoverageGrid::kMaxCells);
   if (columns * rows > limit) {
     throw UsageError(
@@ -142,11 +150,13 @@ GridSize grid_size(const Area& area, double resolution_m) {
   return {static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows)};
 }
 
-CoverageGrid::CoverageGrid(const Area& area, double resolution_m) : resolution_(resolution_m) {
-  const GridSize size = grid_size(area, resolution_m);
+CoverageGrid::CoverageGrid(const Area& area, double resolution_m,
+                           const std::optional<Vec2>& lattice)
+    : resolution_(resolution_m) {
+  const GridSize size = grid_size(area, resolution_m, lattice);
   columns_ = size.columns;
   rows_ = size.rows;
-  origin_ = extent(area).min;
+  origin_ = corner_of(extent(area), resolution_m, lattice);
   words_.assign(std::size_t{columns_} * rows_, 0);
   // The even-odd rule leaves out one end of each edge. Both choices together give the closed area.
   for (const EdgeEnd closed : {EdgeEnd::lower, EdgeEnd::upper}) {

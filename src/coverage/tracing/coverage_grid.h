@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "mesh/plane/polygons.h"
@@ -11,19 +12,21 @@ namespace swathplan {
 struct GridSize {
   std::uint32_t columns = 0, rows = 0;
 };
-/// Size of the grid over an area, without making it.
+/// Size of the grid over an area, without making it. `lattice`: as CoverageGrid takes it.
 /// @throws UsageError if `resolution_m` is not > 0 or the grid would hold more than
 ///   CoverageGrid::kMaxCells; the message says the size and the limit.
-[[nodiscard]] GridSize grid_size(const Area& area, double resolution_m);
+[[nodiscard]] GridSize grid_size(const Area& area, double resolution_m,
+                                 const std::optional<Vec2>& lattice = {});
 
 /// Square scoring cells over an area. The grid's lower-left corner is that of the area's bounding
-/// box; row 0 is the southernmost. A cell counts when its centre lies in the area or on its
+/// box or, where a corner of the `lattice` is given, the next corner of it to the south-west; row 0
+/// is the southernmost. A cell counts when its centre lies in the area or on its
 /// outline. Each cell is one word of 32 bits.
 class CoverageGrid {
  public:
   /// @throws UsageError if `resolution_m` is not > 0 or the grid would hold more than kMaxCells;
   ///   the message says the size and the limit.
-  CoverageGrid(const Area& area, double resolution_m);
+  CoverageGrid(const Area& area, double resolution_m, const std::optional<Vec2>& lattice = {});
 
   [[nodiscard]] std::uint32_t columns() const { return columns_; }
   [[nodiscard]] std::uint32_t rows() const { return rows_; }

@@ -8,6 +8,7 @@
 #include "io/files/lonlat.h"
 #include "io/files/text.h"
 #include "io/route/read_route.h"
+#include "io/route/route_gpkg_read.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
@@ -91,9 +92,20 @@ ExportableRoute read_exportable_route(const std::filesystem::path& path,
     throw UsageError(fmt::format("<CRS> {} is in degrees; must be the projected one of x_m,y_m",
                                  crs_name(crs_wkt)));
   }
-  const std::string text = read_text(path);
   ExportableRoute result;
   const FrameReader reader(path, result.notes);
+  if (is_route_package(path)) {
+    std::string crs = crs_wkt.empty() ? package_crs(path) : crs_wkt;
+    if (is_geographic(crs)) {
+      const PlacedRoute degrees = reader.read(frame_of(wgs84_crs()));
+      crs = utm_crs(degrees.route.waypoints.front().position.x(),
+                    degrees.route.waypoints.front().position.y());
+    }
+    result.planar = reader.read(frame_of(crs));
+    result.geographic = result.planar;
+    return result;
+  }
+  const std::string text = read_text(path);
   const RouteFormat format = route_format(text);
   if (!crs_wkt.empty() || says_its_place(format, text)) {
     Frame frame = frame_of(crs_wkt);

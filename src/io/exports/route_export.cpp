@@ -10,12 +10,16 @@
 #include "coverage/route/leg_table.h"
 #include "coverage/route/thin_route.h"
 #include "io/exports/geographic_route.h"
+#include "io/exports/line_table.h"
 #include "io/exports/mission_plan.h"
 #include "io/exports/mission_waypoints.h"
+#include "io/exports/planned_lines.h"
 #include "io/exports/route_dxf.h"
+#include "io/exports/route_gpkg.h"
 #include "io/exports/route_gpx.h"
 #include "io/exports/route_kml.h"
 #include "io/exports/route_lnw.h"
+#include "io/exports/route_ros.h"
 #include "io/exports/route_rtz.h"
 #include "io/exports/survey_runs.h"
 #include "io/files/atomic_file.h"
@@ -27,14 +31,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<ExportFormat, std::string_view>, 7> kNames{{
+constexpr std::array<std::pair<ExportFormat, std::string_view>, 11> kNames{{
     {ExportFormat::waypoints, "waypoints"},
     {ExportFormat::plan, "plan"},
     {ExportFormat::gpx, "gpx"},
     {ExportFormat::rtz, "rtz"},
     {ExportFormat::kml, "kml"},
+    {ExportFormat::asciiplan, "asciiplan"},
     {ExportFormat::lnw, "lnw"},
+    {ExportFormat::rln, "rln"},
     {ExportFormat::dxf, "dxf"},
+    {ExportFormat::gpkg, "gpkg"},
+    {ExportFormat::yaml, "yaml"},
 }};
 
 /// A value that is no enumerator is a bug of the caller. No other format may stand in for it.
@@ -94,7 +102,14 @@ std::string text_of(ExportFormat format, const GeographicRoute& route, const std
   if (format == ExportFormat::gpx) return route_gpx(route, stem);
   if (format == ExportFormat::rtz) return route_rtz(route, stem, options.tolerance_m);
   if (format == ExportFormat::kml) return route_kml(route, stem);
+  if (format == ExportFormat::asciiplan) return route_asciiplan(route);
   throw_unknown_format();
+}
+
+std::size_t waypoints_on_lines(const Route& route) {
+  std::size_t count = 0;
+  for (const SurveyRun& run : survey_runs(route)) count += run.last - run.first + 1;
+  return count;
 }
 
 void write_geographic(const fs::path& folder, const std::string& stem, const PlacedRoute& placed,
@@ -110,6 +125,10 @@ void write_geographic(const fs::path& folder, const std::string& stem, const Pla
   const std::string text = text_of(done.format, route, stem, options);
   done.files.push_back(folder / fmt::format("{}.{}", stem, name(done.format)));
   write_text_atomically(done.files.back(), text);
+  if (done.format == ExportFormat::asciiplan) {
+    done.waypoints = waypoints_on_lines(route.route);
+    done.of = waypoints_on_lines(placed.route);
+  }
   if (done.format == ExportFormat::rtz && text.size() > kRtzBytes) {
     done.warnings.push_back(fmt::format(
         "the RTZ file has {} kB, but chart systems need not read more than {}: allow a larger "
@@ -118,24 +137,29 @@ void write_geographic(const fs::path& folder, const std::string& stem, const Pla
   }
 }
 
-std::size_t waypoints_on_lines(const Route& route) {
-  std::size_t count = 0;
-  for (const SurveyRun& run : survey_runs(route)) count += run.last - run.first + 1;
-  return count;
-}
-
 void write_planar(const fs::path& folder, const std::string& stem, const PlacedRoute& planar,
                   const ExportOptions& options, ExportedRoute& done) {
+  if (done.format == ExportFormat::gpkg) {
+    // It holds the fans of all waypoints, so all waypoints stay.
+    done.waypoints = done.of;
+    done.files.push_back(folder / fmt::format("{}.{}", stem, name(done.format)));
+    write_route_gpkg(done.files.back(), planar.route, planar.frame);
+    return;
+  }
   const ThinnedRoute thinned = thin_route(planar.route, options.tolerance_m, planar.water);
   done.waypoints = thinned.route.waypoints.size();
   done.largest_distance_m = thinned.largest_distance_m;
   done.files.push_back(folder / fmt::format("{}.{}", stem, name(done.format)));
   if (done.format == ExportFormat::dxf) {
     write_route_dxf(done.files.back(), thinned.route, planar.frame);
-  } else if (done.format == ExportFormat::lnw) {
+  } else if (done.format == ExportFormat::yaml) {
+    write_text_atomically(done.files.back(), route_ros(thinned.route, planar.frame));
+  } else if (done.format == ExportFormat::lnw || done.format == ExportFormat::rln) {
     done.waypoints = waypoints_on_lines(thinned.route);
     done.of = waypoints_on_lines(planar.route);
-    write_text_atomically(done.files.back(), route_lnw(thinned.route, planar.frame));
+    write_text_atomically(done.files.back(), done.format == ExportFormat::lnw
+                                                 ? route_lnw(thinned.route, planar.frame)
+                                                 : route_rln(thinned.route, planar.frame));
   } else {
     throw_unknown_format();
   }
@@ -180,13 +204,24 @@ bool is_geographic(ExportFormat format) {
     case ExportFormat::gpx:
     case ExportFormat::rtz:
     case ExportFormat::kml:
+    case ExportFormat::asciiplan:
       return true;
     case ExportFormat::lnw:
+    case ExportFormat::rln:
     case ExportFormat::dxf:
+    case ExportFormat::gpkg:
+    case ExportFormat::yaml:
       return false;
   }
   throw_unknown_format();
 }
+
+bool is_sailed(ExportFormat format) {
+  return format == ExportFormat::yaml ||
+         (is_geographic(format) && format != ExportFormat::asciiplan);
+}
+
+fs::path line_table_name(const std::string& stem) { return stem + ".lines.csv"; }
 
 void check(const ExportOptions& options) {
   if (!(options.tolerance_m >= kLeastToleranceM && options.tolerance_m < 1e6)) {
@@ -230,6 +265,11 @@ std::vector<ExportedRoute> export_route(const fs::path& folder, const std::strin
   if (!all.empty()) {
     write_route_csv(leg_table_file(folder, stem), leg_table(planar.route), planar.frame);
   }
+  const bool all_hold_fans = std::all_of(options.formats.begin(), options.formats.end(),
+                                         [](ExportFormat f) { return f == ExportFormat::gpkg; });
+  if (!all_hold_fans) {
+    write_text_atomically(folder / line_table_name(stem), line_table(planar.route, planar.frame));
+  }
   return all;
 }
 
@@ -240,6 +280,7 @@ fs::path leg_table_file(const fs::path& folder, const std::string& stem) {
 void remove_exports(const fs::path& folder, const std::string& stem,
                     const std::vector<ExportFormat>& formats) {
   std::error_code error;
+  fs::remove(folder / line_table_name(stem), error);
   for (const ExportFormat format : formats) {
     std::vector<fs::path> files{folder / fmt::format("{}.{}", stem, name(format))};
     if (format == ExportFormat::waypoints) {

@@ -12,7 +12,19 @@
 namespace swathplan {
 
 /// Files that autopilots, chart systems and survey packages read; see docs/exports.md.
-enum class ExportFormat { waypoints, plan, gpx, rtz, kml, lnw, dxf };
+enum class ExportFormat {
+  waypoints,
+  plan,
+  gpx,
+  rtz,
+  kml,
+  asciiplan,
+  lnw,
+  rln,
+  dxf,
+  gpkg,
+  yaml  ///< ROS 2 nav_msgs/Path
+};
 /// The name on the command line, which is the file's extension too.
 /// @throws std::logic_error for a value that is none of the formats, as every function here does.
 [[nodiscard]] std::string_view name(ExportFormat format);
@@ -23,6 +35,12 @@ enum class ExportFormat { waypoints, plan, gpx, rtz, kml, lnw, dxf };
 [[nodiscard]] ExportFormat export_format(std::string_view name);
 /// True for formats in longitude and latitude.
 [[nodiscard]] bool is_geographic(ExportFormat format);
+
+/// True for formats that a vehicle sails by: they hold the way between lines too.
+[[nodiscard]] bool is_sailed(ExportFormat format);
+
+/// What line_table() is written as, beside the exports: 'stem.lines.csv'.
+[[nodiscard]] std::filesystem::path line_table_name(const std::string& stem);
 
 struct ExportOptions {
   std::vector<ExportFormat> formats;
@@ -61,7 +79,8 @@ void check_export_crs(const std::vector<ExportFormat>& formats, const Frame& fra
 
 /// Writes the route as `stem.FORMAT` into `folder`, and its leg table as `stem.legs.csv`. Formats
 /// in longitude and latitude are written from `geographic`. Formats in the coordinates of the input
-/// file are written from `planar`. Both must be the same route.
+/// file are written from `planar`. Both must be the same route. Where a format holds no fans or
+/// speeds of lines, line_table() of the planar route is written beside it.
 /// @throws InvalidInput as check_export_crs does, or if a route is not valid or a file cannot be
 ///   written.
 [[nodiscard]] std::vector<ExportedRoute> export_route(const std::filesystem::path& folder,

@@ -4,6 +4,7 @@
 #include <gdal_priv.h>
 
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "io/files/gdal_at_home.h"
@@ -105,6 +106,33 @@ SurfaceData read_grid(const fs::path& path, std::optional<double> nodata,
   warn_of_grey_picture(band, data);
   find_meaning_of_z(*source.data, band, data);
   return data;
+}
+
+std::optional<GridCells> read_cells(const fs::path& path, const std::string& layer) {
+  const QuietGdal quiet;
+  if (is_s100(path)) return std::nullopt;
+  const GridSource source = open_grid(path, layer);
+  if (has_refinements(*source.data)) return std::nullopt;
+  GDALRasterBand& band = *source.data->GetRasterBand(source.band);
+  Raster raster = shape_of(*source.data, path);
+  add_scale(band, {}, raster);
+  add_values(band, path, raster);
+  GridCells cells;
+  drop_undeclared_nodata(raster, cells.warnings);
+  cells.columns = raster.columns;
+  cells.rows = raster.rows;
+  cells.transform = raster.transform;
+  cells.band = band.GetDescription();
+  const GDALDataType type = band.GetRasterDataType();
+  cells.counts = type == GDT_Byte || type == GDT_UInt16 || type == GDT_UInt32;
+  for (double& value : raster.raw) {
+    value = raster.is_nodata(value) ? std::numeric_limits<double>::quiet_NaN()
+                                    : value * raster.scale + raster.offset;
+  }
+  cells.values = std::move(raster.raw);
+  SurfaceData notes;
+  cells.crs_wkt = crs_of_grid(*source.data, notes);
+  return cells;
 }
 
 }  // namespace swathplan

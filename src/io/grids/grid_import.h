@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -25,6 +26,21 @@ namespace swathplan {
 [[nodiscard]] SurfaceData read_grid(const std::filesystem::path& path,
                                     std::optional<double> nodata = {},
                                     const std::string& layer = {});
+
+/// The cells of one band of a raster as they stand in the file, where they lie and what they count.
+struct GridCells {
+  std::size_t columns = 0, rows = 0;
+  std::array<double, 6> transform{};  ///< GDAL's: the corner of the first cell and the two steps
+  std::vector<double> values;         ///< row by row; NaN: no data
+  std::string crs_wkt;                ///< empty: none
+  std::string band;                   ///< what the file calls it; may be empty
+  bool counts = false;                ///< whole numbers without a sign
+  std::vector<std::string> warnings;
+};
+/// Reads them as read_grid() finds its band. Empty for grids without cells of their own: S-102, and
+/// BAG of variable resolution. @throws InvalidInput as read_grid() does.
+[[nodiscard]] std::optional<GridCells> read_cells(const std::filesystem::path& path,
+                                                  const std::string& layer = {});
 
 inline constexpr std::size_t kMostCells = 100'000'000;  ///< about 5 GB of triangles
 inline constexpr std::uint32_t kNoNode = 0xffffffffU;

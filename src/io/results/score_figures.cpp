@@ -36,6 +36,16 @@ void add_coverage(Json& json, const Score& score) {
   json["footprint_width_m"] = score.footprint_width_m;
 }
 
+/// Only where a part was covered before.
+void add_whole(Json& json, const WholeFigures& whole) {
+  json["whole_cells"] = whole.cells;
+  json["whole_area_m2"] = whole.area_m2;
+  json["covered_before_pct"] = whole.before_pct;
+  json["coverage_whole_pct"] = whole.all_pct;
+  json["coverage_whole_logged_pct"] = whole.logged_pct;
+  json["gaps_left_out_m2"] = whole.left_out_m2;
+}
+
 void add_route(Json& json, const RouteFigures& route) {
   json["length_m"] = route.length_m;
   json["length_ratio"] = route.length_ratio;
@@ -112,6 +122,7 @@ void add_holidays(Json& json, const Score& score) {
 nlohmann::ordered_json score_figures(const Score& score) {
   Json json = Json::object();
   add_coverage(json, score);
+  if (score.whole) add_whole(json, *score.whole);
   add_route(json, score.route);
   add_hours(json, score);
   add_holidays(json, score);

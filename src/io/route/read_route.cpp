@@ -2,10 +2,13 @@
 
 #include "io/files/text.h"
 #include "io/route/foreign_route.h"
+#include "io/route/planned_lines_read.h"
 #include "io/route/route_csv.h"
 #include "io/route/route_geojson.h"
+#include "io/route/route_gpkg_read.h"
 #include "io/route/route_mission.h"
 #include "io/route/route_planar.h"
+#include "io/route/route_ros_read.h"
 #include "io/route/route_xml.h"
 
 namespace swathplan {
@@ -49,6 +52,9 @@ RouteFormat route_format(std::string_view text) {
   }
   if (content.starts_with("QGC WPL")) return RouteFormat::waypoints;
   if (content.starts_with('<')) return RouteFormat::xml;
+  if (is_ros_path(content)) return RouteFormat::yaml;
+  if (is_rln(content)) return RouteFormat::rln;
+  if (is_asciiplan(content)) return RouteFormat::asciiplan;
   const auto lines = first_lines(content);
   if (!lines.empty() && is_lnw(lines)) return RouteFormat::lnw;
   return is_dxf(lines) ? RouteFormat::dxf : RouteFormat::csv;
@@ -56,7 +62,7 @@ RouteFormat route_format(std::string_view text) {
 
 bool is_always_lonlat(RouteFormat format) {
   return format == RouteFormat::plan || format == RouteFormat::waypoints ||
-         format == RouteFormat::xml;
+         format == RouteFormat::xml || format == RouteFormat::asciiplan;
 }
 
 ImportedRoute parse_route(std::string_view text, const std::string& file, const Frame& frame,
@@ -75,6 +81,12 @@ ImportedRoute parse_route(std::string_view text, const std::string& file, const 
       return placed(parse_route_lnw(content, file), file, frame, defaults);
     case RouteFormat::dxf:
       return placed(parse_route_dxf(content, file), file, frame, defaults);
+    case RouteFormat::rln:
+      return placed(parse_route_rln(content, file), file, frame, defaults);
+    case RouteFormat::asciiplan:
+      return placed(parse_route_asciiplan(content, file), file, frame, defaults);
+    case RouteFormat::yaml:
+      return placed(parse_route_ros(content, file, frame.metres_per_unit), file, frame, defaults);
     case RouteFormat::csv:
       break;
   }
@@ -83,6 +95,7 @@ ImportedRoute parse_route(std::string_view text, const std::string& file, const 
 
 ImportedRoute read_route(const std::filesystem::path& path, const Frame& frame,
                          const RouteDefaults& defaults) {
+  if (is_route_package(path)) return read_route_gpkg(path, frame, defaults);
   return parse_route(read_text(path), path.string(), frame, defaults);
 }
 

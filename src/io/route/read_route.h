@@ -35,7 +35,10 @@ struct ImportedRoute {
 ///   longitude and latitude, or those of its `crs` member. If it has a `local_frame` member, they
 ///   are those of the seafloor's file. Without a line its points are the waypoints.
 /// - Missions ('QGC WPL 110', .plan of QGroundControl), GPX, KML and RTZ in longitude and latitude.
-/// - Planned lines of HYPACK (LNW) and drawings (DXF) in the coordinates of the seafloor's file.
+/// - Planned lines of HYPACK (LNW), runlines of EIVA (RLN) and drawings (DXF) in the coordinates of
+///   the seafloor's file; paths of ROS (YAML of nav_msgs/Path) in metres of its CRS.
+/// - Planned lines of Kongsberg SIS (asciiplan) in longitude and latitude.
+/// - GeoPackages in their own CRS (route_gpkg_read.h).
 /// Lines that do not meet are joined by straight transits with the sonar off. A note then says so.
 /// @throws InvalidInput for anything else; the message names the file, the row or line, what is
 ///   wrong and what to do.
@@ -46,7 +49,7 @@ struct ImportedRoute {
                                         const Frame& frame, const RouteDefaults& defaults);
 
 /// What a text looks like. XML is GPX, KML or RTZ.
-enum class RouteFormat { csv, geojson, waypoints, plan, xml, lnw, dxf };
+enum class RouteFormat { csv, geojson, waypoints, plan, xml, lnw, dxf, rln, asciiplan, yaml };
 [[nodiscard]] RouteFormat route_format(std::string_view text);
 /// True for formats that know nothing but longitude and latitude.
 [[nodiscard]] bool is_always_lonlat(RouteFormat format);
