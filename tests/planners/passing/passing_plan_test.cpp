@@ -105,7 +105,9 @@ TEST(PassingPlan, SaysWhereItFailsAndComesBackAllTheSame) {
   options.least_line_m = 45.0;
   const Plan plan = plan_to_pass(site.judge, options);
   const Verdict verdict = site.verdict(plan.route);
-  if (!verdict.pass) EXPECT_THAT(plan.notes, Contains(HasSubstr("still fail")));
+  if (!verdict.pass) {
+    EXPECT_THAT(plan.notes, Contains(HasSubstr("still fail")));
+  }
   EXPECT_THAT(plan.notes, Contains(HasSubstr("held against a boat 0.9 m off its line")));
 }
 
