@@ -252,13 +252,11 @@ PlanOptions planning_of(const SurveyOptions& options, const Survey& survey) {
   set_if(result.soundings, o.soundings);
   result.cover = o.cover == "footprint" ? Cover::footprint : Cover::hit;
   result.lines_margin = o.line_margin_pct / 100.0;
-  if (o.swath_by == "footprint" && (o.spacing_m || o.overlap_pct || !o.spacing_depth.empty())) {
+  if (o.swath_by == "footprint" && (o.overlap_pct || !o.spacing_depth.empty())) {
     throw UsageError(fmt::format(
         "--{} with --swath-by footprint; lines lie W = beams x resolution apart there: leave it "
         "out, or add --swath-by fan",
-        o.spacing_m     ? "spacing"
-        : o.overlap_pct ? "overlap"
-                        : "spacing-depth"));
+        o.overlap_pct ? "overlap" : "spacing-depth"));
   }
   result.rows.swath_by = o.swath_by == "fan" ? SwathBy::fan : SwathBy::footprint;
   result.rows.spacing_m = o.spacing_m;

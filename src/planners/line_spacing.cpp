@@ -103,6 +103,13 @@ std::optional<double> usual_lane_m(const Ground& ground, const PlanOptions& opti
   return std::min(swath, footprint_width_m(options));
 }
 
+void check_spacing(const RowSpacing& rows) {
+  if (rows.swath_by == SwathBy::fan || !rows.spacing_m) return;
+  throw UsageError(
+      "<spacing> with <swath by> footprint; lines lie W = beams x resolution apart there: leave it "
+      "out, or add <swath by> fan");
+}
+
 void check_rows(const Area& block, double spacing_m) {
   if (block.empty() || extent(block).size().norm() <= kMostRows * spacing_m) return;
   throw UsageError(fmt::format(

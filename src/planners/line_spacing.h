@@ -38,6 +38,9 @@ struct BlockLines {
 /// sweeps at the mean depth, but no more than W. Empty where nothing is known of depths.
 [[nodiscard]] std::optional<double> usual_lane_m(const Ground& ground, const PlanOptions& options);
 
+/// @throws UsageError for a spacing where lines lie W apart.
+void check_spacing(const RowSpacing& rows);
+
 /// No planner lays more parallel lines than this over a block.
 inline constexpr double kMostRows = 20000.0;
 /// @throws UsageError where lines so far apart would be more than kMostRows.

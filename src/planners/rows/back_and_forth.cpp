@@ -120,6 +120,7 @@ Plan best_placed(const Rows& rows, const Ground& ground, const PlanOptions& opti
 
 Plan plan_back_and_forth(const Ground& ground, const PlanOptions& options) {
   check(options);
+  check_spacing(options.rows);
   const bool by_fan = options.rows.swath_by == SwathBy::fan;
   Area area = reachable_area(ground);
   const BlockLines laid =

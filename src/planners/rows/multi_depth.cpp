@@ -114,6 +114,7 @@ void note_spacing(const std::vector<RegionLines>& regions, const PlanOptions& op
 }  // namespace
 
 Plan plan_multi_depth(const Ground& ground, const PlanOptions& options) {
+  check_spacing(options.rows);
   Plan plan;
   plan.mesh = planning_mesh(ground, options);
   plan.edges = shared_edges(plan.mesh);
