@@ -57,7 +57,6 @@ struct PlanRecord {
   Angle grid_north;              ///< true azimuth of the frame's north
   std::vector<PlanViolation> violations;
   Hazards hazards;  ///< that the boat keeps off
-  std::vector<std::string> notes;  ///< one sentence each, for people
   std::vector<std::string> notes;      ///< one sentence each, for people
   std::optional<JobSummary> job;       ///< where more than the main scheme was asked for
   std::vector<std::string> job_files;  ///< routes of its sorties, where it is divided
