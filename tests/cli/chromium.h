@@ -15,9 +15,9 @@ class Chromium {
  public:
   explicit Chromium(const Folder& folder) : folder_(folder) {}
 
-  /// The page as its scripts left it; empty where the browser failed.
-  [[nodiscard]] std::string dom(const std::filesystem::path& page, int width_px = 1280) const {
-    run("--window-size=" + std::to_string(width_px) + ",900 --dump-dom", page, "dump.html");
+  /// The page as its scripts left it in a window of 1280 pixels; empty where the browser failed.
+  [[nodiscard]] std::string dom(const std::filesystem::path& page) const {
+    run("--window-size=1280,900 --dump-dom", page, "dump.html");
     return text_of(folder_ / "dump.html");
   }
   /// The page as it is printed.

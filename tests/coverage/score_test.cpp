@@ -162,7 +162,9 @@ TEST(Score, HolidaysAreThoseOfLoggedPingsWhereTheseCount) {
   Route both = route_through({{50, 10}, {50, 50}, {50, 90}}, even_fan(50));
   both.waypoints[1].log = false;
   const Score all = score(both, g.ground, {}, {}, {}).score;
-  const Score logged = score(both, g.ground, {}, {}, {.logged_counts = true}).score;
+  ScoreOptions options;
+  options.logged_counts = true;
+  const Score logged = score(both, g.ground, {}, {}, options).score;
   EXPECT_EQ(all.counted().hit_pct, all.all.hit_pct);
   EXPECT_EQ(logged.counted().hit_pct, logged.logged.hit_pct);
   const auto share = [](const Score& s) { return 100.0 * s.holidays.total_m2 / s.survey_area_m2; };

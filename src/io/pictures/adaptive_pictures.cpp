@@ -140,7 +140,6 @@ TrackFrame frame_of(const TrackPicture& picture) {
 
 /// Ticks and numbers along both sides, metres.
 void draw_track_axes(cv::Mat& image, const TrackFrame& frame) {
-  const std::string across = "across (m)", along = "along (m)";
   const auto each = [](double low, double high, const auto& draw) {
     const double step = tick_step(high - low);
     for (double v = std::ceil(low / step - 1e-9) * step; v <= high + 1e-9 * step; v += step) {
@@ -163,9 +162,10 @@ void draw_track_axes(cv::Mat& image, const TrackFrame& frame) {
   each(0.0, frame.length_m, [&](double v, const std::string& label) {
     frame.lying ? below(frame.at(0.0, v), label) : beside(frame.at(0.0, v), label);
   });
-  const std::string& level = frame.lying ? along : across;
-  text(image, level, {kLeft, frame.bottom() + 38});
-  text(image, frame.lying ? across : along, {4, kTop - 6});
+  text(image,
+       frame.lying ? "metres along to the right, across upwards"
+                   : "metres across to the right, along upwards",
+       {kLeft, frame.bottom() + 38});
 }
 
 void draw_shade(cv::Mat& image, const TrackPicture& picture, const TrackFrame& frame) {
