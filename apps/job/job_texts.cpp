@@ -51,13 +51,14 @@ std::string boats_text(const JobSummary& job) {
   std::string text =
       fmt::format("{} boats: all done after {:.2f} h, {:.3f} of one boat's time; ", job.boats,
                   in_hours(job.makespan_s), job.makespan_s / job.undivided_s);
+  text += job.apart.within_a_swath_s > 0.0
+              ? fmt::format("on lines within a swath of each other for {:.0f} s",
+                            job.apart.within_a_swath_s)
+              : "on lines never within a swath of each other";
+  if (job.apart.least_m) text += fmt::format(" (at least {:.0f} m)", *job.apart.least_m);
   text += job.apart.neighbours_s > 0.0
-              ? fmt::format("on neighbouring lines at the same time for {:.0f} s",
-                            job.apart.neighbours_s)
-              : "never on neighbouring lines at the same time";
-  if (job.apart.least_m) {
-    text += fmt::format(", at least {:.0f} m apart on lines", *job.apart.least_m);
-  }
+              ? fmt::format(", on neighbouring lines for {:.0f} s", job.apart.neighbours_s)
+              : ", never on neighbouring lines at the same time";
   return text + "\n";
 }
 

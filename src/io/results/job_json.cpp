@@ -32,6 +32,7 @@ JobJson boats_json(const JobSummary& job) {
   return {{"boats", job.boats},
           {"makespan_s", job.makespan_s},
           {"makespan_to_one_boat", job.makespan_s / job.undivided_s},
+          {"within_a_swath_s", job.apart.within_a_swath_s},
           {"on_neighbouring_lines_s", job.apart.neighbours_s},
           {"least_distance_on_lines_m",
            job.apart.least_m ? JobJson(*job.apart.least_m) : JobJson(nullptr)}};

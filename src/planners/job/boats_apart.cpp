@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mesh/plane/box.h"
+#include "mesh/plane/path_thinning.h"
 #include "mesh/plane/segments.h"
 
 namespace swathplan {
@@ -42,13 +43,21 @@ bool within_reach(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double
   return false;
 }
 
+/// The path with fewer points, within half a metre of it: enough to tell neighbours.
+std::vector<Vec2> coarse(const std::vector<Vec2>& path) {
+  constexpr double kOff = 0.5;
+  std::vector<Vec2> points;
+  for (const std::size_t i : thin_path(path, {}, kOff).kept) points.push_back(path[i]);
+  return points;
+}
+
 bool alongside(LegKind kind) { return kind == LegKind::line || kind == LegKind::infill; }
 
 /// A line as it is sailed at some time.
 struct SailedLeg {
   double begins_s = 0.0, ends_s = 0.0;
   bool has_neighbours = false;
-  std::vector<Vec2> path;
+  std::vector<Vec2> path, coarse_path;
   std::vector<double> at_s;  ///< of the path's points
   double swath_m = 0.0;
 };
@@ -73,6 +82,7 @@ std::vector<SailedLeg> sailed_legs(const BoatTrack& track, const Ground& ground,
       sailed.swath_m = swath_of({w.begin() + static_cast<std::ptrdiff_t>(leg.first),
                                  w.begin() + static_cast<std::ptrdiff_t>(leg.last)},
                                 ground, vehicle);
+      sailed.coarse_path = coarse(sailed.path);
       result.push_back(std::move(sailed));
     }
   }
@@ -86,9 +96,27 @@ Vec2 place_at(const SailedLeg& leg, double seconds, std::size_t& i) {
   return leg.path[i] + share * (leg.path[i + 1] - leg.path[i]);
 }
 
-/// The least distance of two boats while both sail these legs: straight motions between the times
-/// at which either passes a waypoint.
-double least_distance(const SailedLeg& a, const SailedLeg& b) {
+/// The share of a straight motion from `a` to `b` that lies within `reach` of the origin.
+double share_within(const Vec2& a, const Vec2& b, double reach) {
+  const Vec2 way = b - a;
+  const double square = way.squaredNorm();
+  if (!(square > 0.0)) return a.norm() < reach ? 1.0 : 0.0;
+  const double half = a.dot(way);
+  const double root = half * half - square * (a.squaredNorm() - reach * reach);
+  if (!(root > 0.0)) return 0.0;
+  const double from = std::clamp((-half - std::sqrt(root)) / square, 0.0, 1.0);
+  const double to = std::clamp((-half + std::sqrt(root)) / square, 0.0, 1.0);
+  return to - from;
+}
+
+struct Nearness {
+  double least_m = kFarApart;
+  double within_s = 0.0;  ///< seconds within the reach
+};
+
+/// How near two boats come while both sail these legs: straight motions between the times at which
+/// either passes a waypoint.
+Nearness nearness(const SailedLeg& a, const SailedLeg& b, double reach) {
   const double from = std::max(a.begins_s, b.begins_s);
   const double to = std::min(a.ends_s, b.ends_s);
   std::vector<double> times{from, to};
@@ -98,16 +126,18 @@ double least_distance(const SailedLeg& a, const SailedLeg& b) {
     }
   }
   std::sort(times.begin(), times.end());
-  double least = kFarApart;
+  Nearness result;
   std::size_t in_a = 0, in_b = 0;
   Vec2 before = Vec2::Zero();
   for (std::size_t k = 0; k < times.size(); ++k) {
     const Vec2 apart = place_at(a, times[k], in_a) - place_at(b, times[k], in_b);
-    least =
-        std::min(least, k == 0 ? apart.norm() : distance_to_segment(before, apart, Vec2::Zero()));
+    if (k > 0) {
+      result.least_m = std::min(result.least_m, distance_to_segment(before, apart, Vec2::Zero()));
+      result.within_s += (times[k] - times[k - 1]) * share_within(before, apart, reach);
+    }
     before = apart;
   }
-  return least;
+  return result;
 }
 
 void watch(const std::vector<SailedLeg>& one, const std::vector<SailedLeg>& other,
@@ -116,11 +146,12 @@ void watch(const std::vector<SailedLeg>& one, const std::vector<SailedLeg>& othe
     for (const SailedLeg& b : other) {
       const double together = std::min(a.ends_s, b.ends_s) - std::max(a.begins_s, b.begins_s);
       if (!(together > 0.0)) continue;
-      apart.least_m = std::min(apart.least_m.value_or(kFarApart), least_distance(a, b));
-      if (a.has_neighbours && b.has_neighbours &&
-          within_reach(a.path, b.path, 0.5 * (a.swath_m + b.swath_m))) {
-        apart.neighbours_s += together;
-      }
+      const double swath = 0.5 * (a.swath_m + b.swath_m);
+      const Nearness near = nearness(a, b, swath);
+      apart.least_m = std::min(apart.least_m.value_or(kFarApart), near.least_m);
+      if (!a.has_neighbours || !b.has_neighbours) continue;
+      apart.within_a_swath_s += near.within_s;
+      if (within_reach(a.coarse_path, b.coarse_path, swath)) apart.neighbours_s += together;
     }
   }
 }
@@ -134,18 +165,25 @@ class OrderSearch {
     for (const SortieLines& boat : boats) {
       orders_.emplace_back();
       for (const JobLine& line : boat) {
-        orders_.back().push_back({lines_.size(), line});
+        orders_.back().push_back({lines_.size(), line, sailing_s(line.points), {}});
         lines_.push_back(line);
         boat_of_.push_back(orders_.size() - 1);
       }
     }
+    for (auto& order : orders_) set_joins(order);
     std::vector<double> swath;
-    for (const JobLine& line : lines_) swath.push_back(swath_of(line.points, ground, vehicle));
+    std::vector<std::vector<Vec2>> paths;
+    for (const JobLine& line : lines_) {
+      swath.push_back(swath_of(line.points, ground, vehicle));
+      paths.push_back(coarse(positions(line.points)));
+    }
     near_.assign(lines_.size() * lines_.size(), 0);
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         if (boat_of_[i] == boat_of_[j]) continue;
-        const bool close = neighbours(lines_[i], lines_[j], 0.5 * (swath[i] + swath[j]));
+        const bool close = purpose(lines_[i]) == LegKind::line &&
+                           purpose(lines_[j]) == LegKind::line &&
+                           within_reach(paths[i], paths[j], 0.5 * (swath[i] + swath[j]));
         near_[i * lines_.size() + j] = near_[j * lines_.size() + i] = close ? 1 : 0;
       }
     }
@@ -154,6 +192,8 @@ class OrderSearch {
   struct Placed {
     std::size_t line;
     JobLine as_sailed;
+    double seconds;                ///< of the line
+    std::optional<double> join_s;  ///< of the way from the line before
   };
   using Orders = std::vector<std::vector<Placed>>;
 
@@ -180,10 +220,9 @@ class OrderSearch {
       for (std::size_t k = 0; k < order.size(); ++k) {
         const JobLine& line = order[k].as_sailed;
         const LineEnds ends = ends_of_line(line);
-        now += k == 0 ? ways_.free_s(berth_, ends.from, ends.course_from)
-                      : join_before_s(order[k - 1].as_sailed, line, ways_);
+        now += k == 0 ? ways_.free_s(berth_, ends.from, ends.course_from) : *order[k].join_s;
         const double begins = now;
-        now += sailing_s(line.points);
+        now += order[k].seconds;
         spans.back().push_back({order[k].line, begins, now});
       }
       if (!order.empty()) {
@@ -216,7 +255,10 @@ class OrderSearch {
     for (std::size_t mask = 1; mask < (std::size_t{1} << given.size()); ++mask) {
       Orders turned = given;
       for (std::size_t boat = 0; boat < given.size(); ++boat) {
-        if ((mask >> boat & 1U) != 0) turn(turned[boat], boat == 0 ? fixed : 0);
+        if ((mask >> boat & 1U) == 0) continue;
+        turn(turned[boat], boat == 0 ? fixed : 0);
+        for (Placed& placed : turned[boat]) placed.join_s.reset();
+        set_joins(turned[boat]);
       }
       const Cost now = cost(turned);
       if (!now.better_than(best)) continue;
@@ -227,7 +269,7 @@ class OrderSearch {
 
   /// Moves lines that are in the way to where they are not, the best move first.
   void move_lines(std::size_t fixed) {
-    constexpr int kMostMoves = 40;
+    constexpr int kMostMoves = 12;
     constexpr double kLonger = 1.04;  // a move may cost so much of the time
     Cost now = cost(orders_);
     const double most = kLonger * now.makespan_s;
@@ -243,6 +285,7 @@ class OrderSearch {
         for (std::size_t to = first; to < orders_[boat].size(); ++to) {
           Orders moved = orders_;
           move_line(moved[boat], line, to);
+          set_joins(moved[boat]);
           const Cost then = cost(moved);
           if (then.makespan_s > most || !then.better_than(best)) continue;
           best = then;
@@ -268,6 +311,14 @@ class OrderSearch {
   /// Estimates are off by some seconds: neighbours are to be this far apart in time.
   static constexpr double kLeeway = 20.0;
 
+  /// Times of the joins that have none yet.
+  void set_joins(std::vector<Placed>& order) const {
+    for (std::size_t k = 1; k < order.size(); ++k) {
+      if (order[k].join_s) continue;
+      order[k].join_s = join_before_s(order[k - 1].as_sailed, order[k].as_sailed, ways_);
+    }
+  }
+
   static void turn(std::vector<Placed>& order, std::size_t first) {
     const auto begin = order.begin() + static_cast<std::ptrdiff_t>(std::min(first, order.size()));
     SortieLines rest;
@@ -284,11 +335,15 @@ class OrderSearch {
         std::find_if(order.begin(), order.end(), [&](const Placed& p) { return p.line == line; });
     const auto k = static_cast<std::size_t>(at - order.begin());
     if (k == to) return;
+    const auto without_join = [](Placed& placed) {
+      placed.as_sailed.join_before.clear();
+      placed.join_s.reset();
+    };
     Placed moved = *at;
-    moved.as_sailed.join_before.clear();
-    if (k + 1 < order.size()) order[k + 1].as_sailed.join_before.clear();
+    without_join(moved);
+    if (k + 1 < order.size()) without_join(order[k + 1]);
     order.erase(at);
-    if (to < order.size()) order[to].as_sailed.join_before.clear();
+    if (to < order.size()) without_join(order[to]);
     order.insert(order.begin() + static_cast<std::ptrdiff_t>(to), std::move(moved));
   }
 
@@ -317,7 +372,7 @@ double swath_of(const std::vector<Waypoint>& points, const Ground& ground, const
 
 bool neighbours(const JobLine& a, const JobLine& b, double swath_m) {
   if (purpose(a) != LegKind::line || purpose(b) != LegKind::line) return false;
-  return within_reach(positions(a.points), positions(b.points), swath_m);
+  return within_reach(coarse(positions(a.points)), coarse(positions(b.points)), swath_m);
 }
 
 BoatsApart boats_apart(const std::vector<BoatTrack>& tracks, const Ground& ground,

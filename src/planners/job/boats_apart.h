@@ -18,8 +18,11 @@ using BoatTrack = std::vector<TimedRoute>;
 
 /// How near boats come to each other while they survey.
 struct BoatsApart {
-  double neighbours_s = 0.0;      ///< seconds that two boats are on neighbouring lines
-  std::optional<double> least_m;  ///< between two boats on lines; empty: never are two on lines
+  /// Seconds that two boats on lines of the main scheme are nearer to each other than the mean of
+  /// their swaths.
+  double within_a_swath_s = 0.0;
+  double neighbours_s = 0.0;           ///< seconds that two boats are on neighbouring lines
+  std::optional<double> least_m = {};  ///< between two boats on lines; empty: never two are
 };
 
 /// Width of the swath of a line, metres: the mean over its waypoints, from its fans and the depths

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "coverage/route/cross_figures.h"
 #include "coverage/route/route_figures.h"
 #include "mesh/base/require.h"
 #include "planners/job/job_order.h"
@@ -23,7 +24,10 @@ constexpr double kTighter = 0.995;
 constexpr int kMostCuts = 12;
 /// Boats are balanced anew, up to so often, while one takes so much longer than another.
 constexpr double kUneven = 1.01;
-constexpr int kMostBalances = 6;
+constexpr int kMostBalances = 4;
+/// Cross-lines that turns made too short are laid anew for a little more, up to so often.
+constexpr int kMostRelaid = 3;
+constexpr double kShareReserve = 1.002, kShareDust = 1e-6;
 /// Boats that cannot be kept apart otherwise begin later, by steps of this share of the makespan,
 /// up to so many.
 constexpr double kWaitStep = 0.01;
@@ -79,8 +83,13 @@ class JobMaker {
       throw InvalidInput("the route holds no survey line to make a job of");
     }
     set_berth(groups, main);
-    add_lines(groups, largest_line_number(main) + 1);
-    const std::vector<JobLine> lines = in_sequence(groups);
+    next_number_ = largest_line_number(main) + 1;
+    add_lines(groups);
+    std::vector<JobLine> lines = in_sequence(groups);
+    for (int more = 0; more < kMostRelaid && is_short_of_cross_lines(); ++more) {
+      relay_cross_lines(groups);
+      lines = in_sequence(groups);
+    }
     if (how_.boats > 1) {
       divide_by_boats(lines);
     } else if (how_.longest_sortie_s) {
@@ -137,45 +146,58 @@ class JobMaker {
     return ground_.seafloor != nullptr ? ground_.seafloor->frame.to_file(local) : local;
   }
 
-  void add_lines(LineGroups& groups, int number) {
-    if (how_.patch_test) {
-      if (!groups.patch.empty()) {
-        say("the route holds patch-test lines already; none were added");
-      } else {
-        PatchTestPlan plan = patch_test(ground_, options_, connector_, number);
-        number += static_cast<int>(plan.lines.size());
-        groups.patch = std::move(plan.lines);
-        job_.summary.patch_tests = std::move(plan.tests);
-        for (const PatchTest& test : job_.summary.patch_tests) {
-          if (test.lines.empty()) say(fmt::format("patch test, {}: {}", test.name, test.reason));
-        }
-        if (how_.boats > 1) {
-          say("the patch test is that of the first boat; each other boat owes one of its own");
-        }
-      }
-    }
+  void add_lines(LineGroups& groups) {
+    if (how_.patch_test) add_patch_test(groups);
     if (!(how_.cross_share > 0.0)) return;
     if (!groups.cross.empty()) {
       say("the route holds cross-lines already; none were added");
       return;
     }
-    CrossLines laid = cross_lines(groups.main, ground_, options_, connector_,
-                                  {.share = how_.cross_share, .first_number = number});
-    if (laid.share < how_.cross_share - 1e-6) {
-      say(fmt::format(
-          "cross-lines make up {:.2f} % of the main scheme, not the {:g} % asked for: no further "
-          "straight line with room to turn crosses it near a right angle",
-          100.0 * laid.share, 100.0 * how_.cross_share));
+    cross_aim_ = how_.cross_share;
+    lay_cross_lines(groups);
+  }
+
+  void add_patch_test(LineGroups& groups) {
+    if (!groups.patch.empty()) {
+      say("the route holds patch-test lines already; none were added");
+      return;
     }
+    PatchTestPlan plan = patch_test(ground_, options_, connector_, next_number_);
+    next_number_ += static_cast<int>(plan.lines.size());
+    groups.patch = std::move(plan.lines);
+    job_.summary.patch_tests = std::move(plan.tests);
+    for (const PatchTest& test : job_.summary.patch_tests) {
+      if (test.lines.empty()) say(fmt::format("patch test, {}: {}", test.name, test.reason));
+    }
+    if (how_.boats > 1) {
+      say("the patch test is that of the first boat; each other boat owes one of its own");
+    }
+  }
+
+  void lay_cross_lines(LineGroups& groups) {
+    CrossLines laid = cross_lines(groups.main, ground_, options_, connector_,
+                                  {.share = cross_aim_, .first_number = next_number_});
     groups.cross = std::move(laid.lines);
     laid.lines.clear();
     job_.summary.cross = laid;
     job_.summary.cross_share_asked = how_.cross_share;
   }
 
+  /// Turns onto cross-lines may have cut their ends off, and so taken from their share.
+  [[nodiscard]] bool is_short_of_cross_lines() const {
+    const double found = cross_figures(undivided_.route).share();
+    return cross_aim_ > 0.0 && found > 0.0 && found < how_.cross_share &&
+           job_.summary.cross->share >= cross_aim_ - kShareDust;
+  }
+  void relay_cross_lines(LineGroups& groups) {
+    const double found = cross_figures(undivided_.route).share();
+    cross_aim_ = std::min(1.0, kShareReserve * cross_aim_ * how_.cross_share / found);
+    lay_cross_lines(groups);
+  }
+
   /// All lines in sailing order; sets the undivided route.
-  std::vector<JobLine> in_sequence(LineGroups& groups) {
-    std::vector<JobLine> lead = std::move(groups.patch);
+  std::vector<JobLine> in_sequence(const LineGroups& groups) {
+    std::vector<JobLine> lead = groups.patch;
     JobEnds ends;
     ends.out = berth_;
     if (!lead.empty()) ends.after = lead.back();
@@ -252,32 +274,85 @@ class JobMaker {
         *how_.longest_sortie_s / 3600.0));
   }
 
+  /// Parts of the boats, as sailed.
+  struct Shared {
+    std::vector<SortieLines> parts;
+    std::vector<double> seconds;
+    BoatsApart apart;
+    [[nodiscard]] double longest() const {
+      return *std::max_element(seconds.begin(), seconds.end());
+    }
+    /// Apart by a swath comes first; then a second on neighbouring lines counts as so much more
+    /// time.
+    [[nodiscard]] bool better_than(const Shared& other) const {
+      constexpr double kDust = 0.5, kNeighbourWorth = 0.2;
+      if (std::abs(apart.within_a_swath_s - other.apart.within_a_swath_s) > kDust) {
+        return apart.within_a_swath_s < other.apart.within_a_swath_s;
+      }
+      return longest() + kNeighbourWorth * apart.neighbours_s <
+             other.longest() + kNeighbourWorth * other.apart.neighbours_s;
+    }
+  };
+
+  [[nodiscard]] Shared shared(std::vector<SortieLines> parts) const {
+    Shared result;
+    std::vector<BuiltRoute> routes;
+    for (const SortieLines& part : parts) {
+      routes.push_back(strung(part, first_berth(), ground_, options_, connector_));
+      result.seconds.push_back(sailing_s(routes.back().route.waypoints));
+    }
+    std::vector<BoatTrack> tracks;
+    for (const BuiltRoute& built : routes) tracks.push_back({{0.0, &built.route}});
+    result.apart = boats_apart(tracks, ground_, options_.vehicle);
+    result.parts = std::move(parts);
+    return result;
+  }
+
+  /// The parts with each boat's main scheme sailed forwards or backwards: all ways to do so.
+  [[nodiscard]] static std::vector<std::vector<SortieLines>> turned(
+      const std::vector<SortieLines>& parts) {
+    std::vector<std::vector<SortieLines>> all;
+    for (std::size_t mask = 0; mask < (std::size_t{1} << std::min<std::size_t>(parts.size(), 3));
+         ++mask) {
+      std::vector<SortieLines> some = parts;
+      for (std::size_t boat = 0; boat < parts.size(); ++boat) {
+        if ((mask >> boat & 1U) == 0) continue;
+        const auto lead = static_cast<std::ptrdiff_t>(leading(parts[boat]));
+        const SortieLines main(parts[boat].begin() + lead, parts[boat].end());
+        some[boat].erase(some[boat].begin() + lead, some[boat].end());
+        for (JobLine& line : backwards(main)) some[boat].push_back(std::move(line));
+      }
+      all.push_back(std::move(some));
+    }
+    return all;
+  }
+
   void divide_by_boats(const std::vector<JobLine>& lines) {
     std::vector<double> weights;
-    std::vector<SortieLines> best;
-    double least = std::numeric_limits<double>::infinity();
+    std::optional<Shared> best;
     for (int round = 0; round < kMostBalances; ++round) {
       const std::vector<SortieLines> parts =
           cut_for_boats(lines, ways_, *berth_, how_.boats, weights);
+      std::vector<std::vector<SortieLines>> ways_to_sail = turned(parts);
+      ways_to_sail.push_back(
+          kept_apart(parts, leading(parts.front()), ground_, options_.vehicle, ways_, *berth_));
+      std::optional<Shared> here;
+      for (std::vector<SortieLines>& way : ways_to_sail) {
+        Shared sailed = shared(std::move(way));
+        if (!here || sailed.better_than(*here)) here = std::move(sailed);
+      }
       weights.resize(parts.size(), 1.0);
-      const std::vector<SortieLines> apart =
-          kept_apart(parts, leading(parts.front()), ground_, options_.vehicle, ways_, *berth_);
-      std::vector<double> seconds;
-      for (std::size_t k = 0; k < apart.size(); ++k) {
-        const BuiltRoute route = strung(apart[k], first_berth(), ground_, options_, connector_);
-        seconds.push_back(sailing_s(route.route.waypoints));
+      for (std::size_t k = 0; k < parts.size(); ++k) {
         JobEnds ends;
         ends.out = ends.home = berth_;
-        weights[k] = seconds.back() / std::max(1.0, estimated_s(parts[k], ways_, ends));
+        weights[k] = here->seconds[k] / std::max(1.0, estimated_s(parts[k], ways_, ends));
       }
-      const double longest = *std::max_element(seconds.begin(), seconds.end());
-      if (longest < least) {
-        least = longest;
-        best = apart;
-      }
-      if (longest < kUneven * *std::min_element(seconds.begin(), seconds.end())) break;
+      const double shortest = *std::min_element(here->seconds.begin(), here->seconds.end());
+      const bool even = here->longest() < kUneven * shortest;
+      if (!best || here->better_than(*best)) best = std::move(here);
+      if (even) break;
     }
-    for (const SortieLines& part : best) {
+    for (const SortieLines& part : best->parts) {
       boats_.push_back(how_.longest_sortie_s ? sorties_of(part, berth_) : built({part}));
     }
   }
@@ -325,7 +400,7 @@ class JobMaker {
     return boats_apart(tracks, ground_, options_.vehicle);
   }
 
-  /// When boats begin so that none is on a neighbouring line of another.
+  /// When boats begin so that none comes within a swath of another.
   std::vector<std::vector<double>> kept_apart_in_time() {
     std::vector<double> waits(boats_.size(), 0.0);
     std::vector<std::vector<double>> best = schedule(waits);
@@ -337,13 +412,13 @@ class JobMaker {
       for (const BuiltRoute& b : boat) sum += sailing_s(b.route.waypoints);
       longest = std::max(longest, sum);
     }
-    for (std::size_t b = 1; b < boats_.size(); ++b) {
+    for (std::size_t b = boats_.size(); b-- > 0;) {
       std::vector<double> tried = waits;
-      for (int k = 1; k <= kMostWaits && job_.summary.apart.neighbours_s > 0.0; ++k) {
+      for (int k = 1; k <= kMostWaits && job_.summary.apart.within_a_swath_s > 0.0; ++k) {
         tried[b] = k * kWaitStep * longest;
         const auto times = schedule(tried);
         const BoatsApart apart = watched(times);
-        if (apart.neighbours_s >= job_.summary.apart.neighbours_s) continue;
+        if (apart.within_a_swath_s >= job_.summary.apart.within_a_swath_s) continue;
         job_.summary.apart = apart;
         best = times;
         waits = tried;
@@ -354,6 +429,13 @@ class JobMaker {
 
   Job finished() {
     JobSummary& summary = job_.summary;
+    if (const double share = cross_figures(undivided_.route).share();
+        cross_aim_ > 0.0 && share < how_.cross_share) {
+      say(fmt::format(
+          "cross-lines make up {:.2f} % of the main scheme, not the {:g} % asked for: no further "
+          "straight line with room to turn crosses it near a right angle",
+          100.0 * share, 100.0 * how_.cross_share));
+    }
     summary.berth = berth_;
     summary.boats = static_cast<int>(boats_.size());
     summary.longest_sortie_s = how_.longest_sortie_s;
@@ -379,11 +461,11 @@ class JobMaker {
     std::vector<const Route*> all;
     for (const Route& route : job_.routes) all.push_back(&route);
     job_.route = one_after_the_other(all);
-    if (summary.apart.neighbours_s > 0.0) {
+    if (summary.apart.within_a_swath_s > 0.0) {
       say(
-          fmt::format("boats are on neighbouring lines at the same time for {:.0f} s: no order of "
-                      "their lines and no later beginning keeps them apart",
-                      summary.apart.neighbours_s));
+          fmt::format("two boats on lines are nearer to each other than a swath for {:.0f} s: no "
+                      "order of their lines and no later beginning keeps them apart",
+                      summary.apart.within_a_swath_s));
     }
     if (summary.boats < how_.boats) {
       say(fmt::format("there is work for {} only", counted(boats_.size(), "boat")));
@@ -410,6 +492,8 @@ class JobMaker {
   Connector connector_;
   JobWays ways_;
   std::optional<Vec2> berth_;
+  int next_number_ = 1;
+  double cross_aim_ = 0.0;
   BuiltRoute undivided_;
   std::vector<Built> boats_;
   Job job_;

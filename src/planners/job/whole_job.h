@@ -67,11 +67,10 @@ struct Job {
 /// stay, others are found through the water. Patch-test lines come first, then cross-lines, then
 /// the main scheme, in its own order or in a better one from the berth and back. The job is cut
 /// into parts for the boats, of about the same time, and these into sorties that keep to their
-/// hours. Boats keep off neighbouring lines at the same time: by the order of their lines, and
-/// where that is not enough by beginning later.
+/// hours. Boats on lines of the main scheme keep a swath apart at all times, and off neighbouring
+/// lines where they can: by the order of their lines, and else by beginning later.
 /// @throws UsageError for options out of their range, if no way leads from the berth to any line,
-/// or
-///   if sorties are too short; InvalidInput if the route holds no line.
+///   or if sorties are too short; InvalidInput if the route holds no line.
 [[nodiscard]] Job whole_job(const Route& main, const Ground& ground, const PlanOptions& options,
                             const JobOptions& how);
 

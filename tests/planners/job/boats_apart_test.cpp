@@ -48,10 +48,15 @@ TEST(BoatsApart, CountsTheSecondsOnNeighbouringLinesAndTheLeastDistance) {
 TEST(BoatsApart, BoatsThatMeetHeadOnPassAtTheDistanceOfTheirLines) {
   const JobSite bench;
   const Route one = alone(bench.northward(100, 1));
-  const Route other = alone(backwards(bench.northward(130, 2)));
+  const Route other = alone(backwards(bench.northward(115, 2)));
   const BoatsApart apart =
       boats_apart({{{0.0, &one}}, {{0.0, &other}}}, bench.site.ground, bench.how.vehicle);
-  EXPECT_NEAR(*apart.least_m, 30.0, 1e-6);
+  EXPECT_NEAR(*apart.least_m, 15.0, 1e-6);
+  // Within a swath of each other they sail towards and past each other at 4 m/s.
+  const double swath =
+      (20.0 - bench.how.vehicle.draft_m) * (tan(bench.fan.port) + tan(bench.fan.starboard));
+  const double seconds = 2.0 * std::sqrt(swath * swath - 15.0 * 15.0) / 4.0;
+  EXPECT_NEAR(apart.within_a_swath_s, seconds, 1e-6);
 }
 
 TEST(BoatsApart, OrdersAreTurnedSoThatNeighboursComeAtDifferentTimes) {

@@ -113,6 +113,7 @@ TEST(WholeJob, TwoBoatsTakeLittleMoreThanHalfTheTimeAndKeepApart) {
   const Job job = made(bench, main, {.berth = kBerth, .boats = 2});
   ASSERT_EQ(job.summary.boats, 2);
   EXPECT_LT(job.summary.makespan_s, 0.58 * job.summary.undivided_s);
+  EXPECT_EQ(job.summary.apart.within_a_swath_s, 0.0);
   EXPECT_EQ(job.summary.apart.neighbours_s, 0.0);
   EXPECT_EQ(main_lines(job.route), main_lines(main));
   // The watch over the routes says the same.
