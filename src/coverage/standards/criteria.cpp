@@ -112,7 +112,7 @@ std::vector<Criterion> s44() {
 }
 
 std::vector<Criterion> noaa() {
-  // TVU as Order 1 to 100 m, as Order 2 beyond; THU as the specifications have it.
+  // TVU as Order 1 to 100 m, as Order 2 beyond, and THU as Order 1: nominal, as commonly quoted.
   const std::vector<UncertaintyLimit> limits{{100.0, 0.5, 0.013, 5.0, 0.05},
                                              {kAnyDepth, 1.0, 0.023, 5.0, 0.05}};
   const auto cells = [](double first) {
