@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint32_t kSeafloorSide = 1200, kSmallestSeafloor = 300;  // pixels
 constexpr std::size_t kSeafloorBudget = 450'000;  // bytes of each PNG of the seafloor
-constexpr std::size_t kListedCutOffs = 25;
+constexpr std::size_t kListedCutOffs = 25, kDrawnHazards = 500;
 constexpr double kSlit = 0.01;         // metres
 constexpr double kLeastCutOff = 0.01;  // square metres
 constexpr int kPatch = 4;              // places a side that longitude and latitude are known at
@@ -57,6 +57,22 @@ Json seafloor_json(const ReportSite& site, const Box2& box, const Pen& pen) {
     steep["pixel_m"] = field.pixel_m;
     return {{"depth", std::move(deep)}, {"slope", std::move(steep)}};
   }
+}
+
+/// What the boat keeps off, the first of many.
+Json hazards_json(const Hazards& hazards, const Pen& pen, double tolerance_m) {
+  Json out = Json::array();
+  for (const Hazard& h : hazards.list) {
+    if (out.size() == kDrawnHazards) break;
+    out.push_back({{"layer", h.layer},
+                   {"name", h.name},
+                   {"accuracy_m", h.accuracy_m},
+                   {"accuracy_from", h.accuracy_from},
+                   {"buffer_m", h.buffer_m},
+                   {"to_be_seen", h.to_be_seen},
+                   {"rings", pen.rings(h.area, tolerance_m)}});
+  }
+  return out;
 }
 
 /// Longitude and latitude at kPatch x kPatch even places of the box, row by row from the
@@ -159,6 +175,7 @@ Json report_data(const ReportSite& site, const std::vector<ReportPlan>& plans) {
   data["area"] = pen.rings(site.survey_area, tolerance_m);
   data["water"] = pen.rings(site.water, tolerance_m);
   data["no_go"] = pen.rings(site.no_go, tolerance_m);
+  data["hazards"] = hazards_json(plans.front().record->hazards, pen, tolerance_m);
   data["cut_off"] = cut_off_json(site, pen, tolerance_m);
   const PlanRecord& shown = record_with_regions(plans);
   std::vector<std::pair<Vec2, Vec2>> gates;

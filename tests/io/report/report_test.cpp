@@ -149,6 +149,24 @@ TEST(Report, DrawsGapsByTheirOutline) {
   EXPECT_TRUE(data["plans"][0]["holidays"][1]["rings"].empty());
 }
 
+TEST(Report, ShowsTheHazardsOfTheRecord) {
+  ReportSample s;
+  Hazard wreck;
+  wreck.layer = "WRECKS";
+  wreck.name = "<b>Anna</b>";
+  wreck.buffer_m = 20.0;
+  wreck.to_be_seen = true;
+  wreck.area = {{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {}}};
+  s.records[0].hazards.list = {wreck};
+  const std::string page = report_html(s.site(), s.plans());
+  EXPECT_THAT(page, Not(HasSubstr("<b>Anna")));
+  const json hazard = data_of(page)["hazards"].at(0);
+  EXPECT_EQ(hazard["name"], "<b>Anna</b>");
+  EXPECT_EQ(hazard["buffer_m"], 20.0);
+  EXPECT_EQ(hazard["to_be_seen"], true);
+  EXPECT_EQ(hazard["rings"].size(), 1U);
+}
+
 TEST(Report, KnowsLongitudeAndLatitudeOfItsMap) {
   ReportSample s;
   EXPECT_TRUE(data_of(report_html(s.site(), s.plans()))["lonlat"].is_null());

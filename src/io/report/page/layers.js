@@ -123,13 +123,22 @@ const edge = (edges, name, width) => edges.flatMap((e) => [
   L.polyline(line(e), pane('gaps', {color: colour('casing'), weight: width + 2.5, interactive: false})),
   L.polyline(line(e), pane('gaps', {color: colour(name), weight: width, interactive: false}))]);
 
+/** No-go areas, and above them each hazard with its room. */
+function hazardLayers() {
+  const look = (ink) => pane('area', {interactive: true, color: ink, weight: 1.2, dashArray: '4 3', fillColor: ink, fillOpacity: 0.28});
+  const tellHazard = (h) => telling(h.name || h.layer, [['layer', h.layer], ['room around it', number(h.buffer_m, 1) + ' m'],
+    ['accuracy of its place', `${number(h.accuracy_m, 1)} m (${h.accuracy_from})`],
+    ['', h.to_be_seen ? 'not sailed over, but to be seen' : 'the boat keeps out of it']]);
+  return [telled(poly(site.noGo, look('#b3261e')), () => telling('No-go area', [['', 'the boat keeps out of it']])),
+    ...site.hazards.map((h) => telled(poly(h.rings, look(h.to_be_seen ? '#8a2be2' : '#b3261e')), () => tellHazard(h)))];
+}
+
 // [key, name, shown at first, whether there is any, its layers for a plan]
 const overlays = [
   ['area', 'Survey area', true, true, () => [poly(site.area, pane('area', {color: '#10202c', weight: 1.8, fill: false}))]],
   ['water', 'Safe water', false, site.water.length, () =>
     [poly(site.water, pane('area', {color: '#00796b', weight: 1.2, dashArray: '3 3', fillColor: '#00bfa5', fillOpacity: 0.15}))]],
-  ['hazards', 'Hazards (no-go)', true, site.noGo.length, () => [telled(poly(site.noGo, pane('area', {interactive: true, color: '#b3261e', weight: 1.2,
-    dashArray: '4 3', fillColor: '#b3261e', fillOpacity: 0.28})), () => telling('No-go area', [['', 'the boat keeps out of it']]))]],
+  ['hazards', 'Hazards and no-go', true, site.noGo.length + site.hazards.length, hazardLayers],
   ['cut', 'Area outside safe water', true, site.cutOff.count, () => [telled(poly(site.cutOff.rings, pane('area', {interactive: true,
     color: colour('cut'), weight: 1.2, dashArray: '2 4', fillColor: colour('cut'), fillOpacity: 0.18})), () => telling('Area outside safe water',
     [['area', square(site.cutOff.area_m2)], ['share', number(site.cutOff.share_pct, 2) + ' %'], ['', 'its cells still count in the coverage']]))]],

@@ -65,6 +65,7 @@ const plans = data.plans.map((plan, i) => ({
 }));
 const site = {
   area: data.area.map(decoded), water: data.water.map(decoded), noGo: data.no_go.map(decoded),
+  hazards: data.hazards.map((h) => ({...h, rings: h.rings.map(decoded)})),
   regions: data.regions.map((r) => ({...r, rings: r.rings.map(decoded), label: decoded(r.label)[0]})),
   gates: data.gates.map(decoded), blocked: data.blocked.map(decoded),
   cutOff: {...data.cut_off, rings: data.cut_off.rings.map(decoded),
