@@ -18,6 +18,7 @@ namespace {
 struct CompareCommand {
   SiteOptions site;
   CoveredChoice covered;
+  WaterChoice water;
   SurveyOptions survey;
   OutputOptions output;
   ExportChoice exports;
@@ -35,6 +36,7 @@ Provenance provenance_of(const CompareCommand& command, const Survey& survey,
   Provenance provenance = provenance_of("compare", command.site, input_hash);
   CompareCommand typed = command;
   record(provenance, covered_options(typed.covered));
+  record(provenance, water_options(typed.water));
   record_scoring(provenance, typed.survey, survey);
   record(provenance, own_options(typed));
   record_planning(provenance, typed.survey, survey);
@@ -61,6 +63,7 @@ void run(const CompareCommand& command) {
   TerminalWatch watch(command.output.quiet, command.output.folder);
   const auto site = load_site(command.site, how.vehicle, Watch(watch));
   check_export_crs(exports.formats, site->seafloor().frame);
+  take_tide(*site, command.water, command.site);
   take_off_covered(*site, command.covered, how, command.site.layers);
   note_reach(*site, how);
   watch.rest();
@@ -140,9 +143,9 @@ Command compare_command() {
   return {"compare",
           "Plan with several planners: one table, one report",
           joined({site_options(command->site), covered_options(command->covered),
-                  scoring_options(command->survey), own_options(*command),
-                  planning_options(command->survey.planning), exporting_options(command->exports),
-                  output_options(command->output)}),
+                  water_options(command->water), scoring_options(command->survey),
+                  own_options(*command), planning_options(command->survey.planning),
+                  exporting_options(command->exports), output_options(command->output)}),
           [command] { run(*command); },
           {}};
 }

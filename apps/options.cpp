@@ -20,6 +20,7 @@ namespace {
 
 const char* const kSeafloorGroup = "Seafloor";
 const char* const kHazardGroup = "Charts and hazards";
+const char* const kWaterGroup = "Water";
 const char* const kCoveredGroup = "Already covered";
 const char* const kScoringGroup = "Scoring";
 const char* const kSonarGroup = "Sonar";
@@ -44,10 +45,11 @@ const OptionTable& shared_options() {
   static ExportChoice exports;
   static JobChoice job;
   static CoveredChoice covered;
+  static WaterChoice water;
   static const OptionTable table =
-      joined({site_options(site), covered_options(covered), scoring_options(survey),
-              criteria_options(survey.criteria), planning_options(survey.planning),
-              job_options(job), exporting_options(exports)});
+      joined({site_options(site), covered_options(covered), water_options(water),
+              scoring_options(survey), criteria_options(survey.criteria),
+              planning_options(survey.planning), job_options(job), exporting_options(exports)});
   return table;
 }
 
@@ -88,6 +90,10 @@ OptionTable site_options(SiteOptions& o, bool with_file) {
            "crs"),
       real("--water-level", kSeafloorGroup, o.water_level_m, kMetres, any_number(),
            "Height of still water in FILE's datum, metres", "water_level_m"),
+      real("--chart-datum-offset", kSeafloorGroup, o.chart_datum_offset_m, kMetres, any_number(),
+           "Height of chart datum in FILE's datum, metres; --water-level and --tide count from "
+           "chart datum",
+           "chart_datum_offset_m"),
       choice("--z-positive", kSeafloorGroup, o.z_positive, {"up", "down"},
              "Which way z counts in FILE", "z_positive"),
       choice("--up", kSeafloorGroup, o.up, {"ask", "y", "z"},
@@ -129,6 +135,17 @@ OptionTable site_options(SiteOptions& o, bool with_file) {
            "keep_off_file"),
       real("--chart-margin", kHazardGroup, o.chart_margin_m, kMetres, at_least(0.0),
            "So much of a chart around the --area is used, metres", "chart_margin_m"),
+  };
+}
+
+OptionTable water_options(WaterChoice& o) {
+  return {
+      path("--tide", kWaterGroup, o.tide,
+           "Times and heights of the tide (CSV; UTC, metres above chart datum): what it leaves "
+           "under the keel of each leg, and when a leg has water enough",
+           "tide_file"),
+      text("--depart", kWaterGroup, o.depart,
+           "When the plan begins, as 2026-05-01T06:30 (UTC, or with +02:00)", "depart"),
   };
 }
 

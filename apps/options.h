@@ -15,7 +15,7 @@ namespace swathplan {
 struct SiteOptions {
   std::filesystem::path file;
   std::string crs, columns;
-  double water_level_m = 0.0;
+  double water_level_m = 0.0, chart_datum_offset_m = 0.0;
   std::string z_positive = "up", up = "ask";
   std::optional<double> z_unit_m, xy_unit_m, longest_edge_m, nodata_value;
   std::filesystem::path area, no_go;
@@ -25,6 +25,12 @@ struct SiteOptions {
   std::filesystem::path keep_off;    ///< not sailed over, but to be seen
   std::vector<std::string> hazards;  ///< as parse_hazards() reads them
   double chart_margin_m = 1000.0;    ///< of a chart, how much around the area is used
+};
+
+/// When the survey is sailed, and the tide then.
+struct WaterChoice {
+  std::filesystem::path tide;
+  std::string depart;
 };
 
 /// What was surveyed before.
@@ -140,6 +146,8 @@ struct ExportChoice {
 
 /// FILE and how to read it, with what is kept off; optional where a command works without.
 [[nodiscard]] OptionTable site_options(SiteOptions& site, bool with_file = true);
+/// Tide and departure: of `plan`, `compare` and `score`.
+[[nodiscard]] OptionTable water_options(WaterChoice& water);
 /// Earlier surveys: of `plan`, `compare` and `score`.
 [[nodiscard]] OptionTable covered_options(CoveredChoice& covered);
 /// The row that names the profile; command_line.cpp fills from it what nobody gave.

@@ -16,6 +16,7 @@
 #include "io/route/route_csv.h"
 #include "io/route/route_geojson.h"
 #include "io/seafloor/inspection.h"
+#include "io/water/legs_csv.h"
 #include "planners/wording.h"
 
 namespace swathplan {
@@ -56,6 +57,10 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
                      survey.scored.score.logged_counts);
   write_holidays_geojson(folder, survey.scored.score.holidays, frame);
   if (!site.hazards.list.empty()) write_hazards_geojson(folder, site.hazards, frame);
+  if (site.is_timed()) {
+    write_text_atomically(folder / "legs.csv",
+                          legs_csv(survey.plan.route, survey.water, site.departure_s));
+  }
   if (survey.judged) {
     write_tvu_tif(folder / "tvu.tif", survey.judged->raster, frame);
     write_thu_tif(folder / "thu.tif", survey.judged->raster, frame);
@@ -83,7 +88,7 @@ void remove_old_survey(const std::filesystem::path& folder, const Site& site) {
              site.seafloor().frame.crs_wkt.empty()
                  ? std::vector<std::string>{"route.geojson", "holidays.geojson"}
                  : std::vector<std::string>{"route.local.geojson", "holidays.local.geojson"});
-  remove_old(folder, {"tvu.tif", "thu.tif", "hazards.geojson"});
+  remove_old(folder, {"tvu.tif", "thu.tif", "hazards.geojson", "legs.csv"});
   remove_exports(folder, "route", all_export_formats());
   remove_old_sorties(folder);
 }

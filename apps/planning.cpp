@@ -10,6 +10,7 @@
 #include "coverage/route/ping_clock.h"
 #include "coverage/standards/criterion_fan.h"
 #include "io/files/crs.h"
+#include "io/water/times.h"
 #include "mesh/base/error.h"
 #include "planners/fitted/edge_following.h"
 #include "planners/fitted/fitted_lines.h"
@@ -244,10 +245,61 @@ void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
   if (!note.empty()) notes.push_back(std::move(note));
 }
 
+namespace {
+
+/// Notes how many legs are short of water when they are sailed, and which has the least.
+void note_water(const std::vector<LegWater>& legs, const Site& site, const Route& route,
+                const Vehicle& vehicle, std::vector<std::string>& notes) {
+  if (site.tide == nullptr) return;
+  const LegWater* least = nullptr;
+  std::size_t shorts = 0, never = 0, untold = 0;
+  for (const LegWater& leg : legs) {
+    shorts += leg.short_of_water ? 1U : 0U;
+    never += leg.least_depth_m && leg.windows.empty() ? 1U : 0U;
+    untold += site.departure_s && leg.least_depth_m && !leg.under_keel_m ? 1U : 0U;
+    if (!leg.under_keel_m) continue;
+    if (least == nullptr || *leg.under_keel_m < *least->under_keel_m) least = &leg;
+  }
+  if (least != nullptr) {
+    const Waypoint& w = route.waypoints[least->leg.first];
+    notes.push_back(fmt::format(
+        "{} of {} are sailed with less than {:.2f} m of water (draft, squat and margin); the least "
+        "under the keel is {:.2f} m, on a {}{} at {}; legs.csv has all, and when each has enough",
+        shorts, counted(legs.size(), "leg"), safe_depth_m(vehicle), *least->under_keel_m,
+        name(w.kind), w.line ? fmt::format(" ({})", *w.line) : "",
+        time_text(*site.departure_s + least->start_s)));
+  }
+  if (never > 0) {
+    notes.push_back(fmt::format("{} never {} {:.2f} m of water within the tide's table",
+                                counted(never, "leg"), never == 1 ? "has" : "have",
+                                safe_depth_m(vehicle)));
+  }
+  if (untold > 0) {
+    notes.push_back(
+        fmt::format("{} end after the tide's table: nothing is said of their water when sailed",
+                    counted(untold, "leg")));
+  }
+}
+
+}  // namespace
+
 PlannedSurvey recorded(const std::string& planner, const std::string& label, Plan plan,
                        ScoredRoute scored, const Site& site, const Survey& survey) {
+  std::vector<LegWater> water;
+  if (site.is_timed()) {
+    water = water_of_legs(plan.route, survey.vehicle, *site.depths,
+                          {site.tide.get(), site.departure_s});
+    note_water(water, site, plan.route, survey.vehicle, plan.notes);
+  }
+  if (const double unknown = scored.score.route.unknown_depth_m; unknown >= 1.0) {
+    plan.notes.push_back(fmt::format(
+        "{:.0f} m of the route lead where the data hold no depth: over land, or over ground that "
+        "nobody has sounded; check them on a chart",
+        unknown));
+  }
   PlannedSurvey result{plan_record(plan, survey.sonar, survey.vehicle, site.water), std::move(plan),
                        std::move(scored)};
+  result.water = std::move(water);
   result.record.planner = planner;
   result.record.label = label;
   result.record.pings = survey.scoring.pings;

@@ -19,6 +19,7 @@ namespace {
 struct ScoreCommand {
   SiteOptions site;
   CoveredChoice covered;
+  WaterChoice water;
   SurveyOptions survey;
   OutputOptions output;
   std::filesystem::path route;
@@ -48,6 +49,7 @@ Provenance provenance_of(const ScoreCommand& command, const Survey& survey,
   Provenance provenance = provenance_of("score", command.site, input_hash);
   ScoreCommand typed = command;
   record(provenance, covered_options(typed.covered));
+  record(provenance, water_options(typed.water));
   record_scoring(provenance, typed.survey, survey);
   record(provenance, own_options(typed));
   return provenance;
@@ -112,6 +114,7 @@ void run(const ScoreCommand& command) {
   TerminalWatch watch(command.output.quiet, command.output.folder);
   const auto site = load_site(command.site, vehicle, Watch(watch));
   watch.rest();
+  take_tide(*site, command.water, command.site);
   take_off_covered(*site, command.covered, survey, command.site.layers);
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
@@ -183,6 +186,7 @@ Command score_command() {
       "Score any route: of this program, of an autopilot, chart system or survey package",
       joined({site_options(command->site),
               covered_options(command->covered),
+              water_options(command->water),
               {argument(
                   "ROUTE", command->route,
                   "route.csv or another CSV, GeoJSON, .plan, .waypoints, GPX, KML, RTZ, LNW, RLN, "

@@ -12,6 +12,8 @@
 #include "io/files/crs.h"
 #include "io/files/lonlat.h"
 #include "io/seafloor/area_import.h"
+#include "io/water/tide_import.h"
+#include "io/water/times.h"
 #include "mesh/base/error.h"
 #include "mesh/cropped.h"
 #include "mesh/plane/area_query.h"
@@ -398,6 +400,30 @@ void take_off_covered(Site& site, const CoveredChoice& choice, const Survey& sur
   site.rest = before->rest(survey.scoring.holiday_m2);
   note_rest(site, survey);
   site.survey_area = site.rest.area;
+}
+
+void take_tide(Site& site, const WaterChoice& choice, const SiteOptions& options) {
+  if (!choice.depart.empty()) {
+    site.departure_s = time_of(choice.depart);
+    if (!site.departure_s) {
+      throw UsageError(fmt::format("--depart '{}' is no time; write it as 2026-05-01T06:30 (UTC)",
+                                   choice.depart));
+    }
+  }
+  if (choice.tide.empty()) return;
+  ImportedTide read = import_tide(choice.tide);
+  site.notes.insert(site.notes.end(), read.notes.begin(), read.notes.end());
+  std::vector<TideHeight> rows = read.tide.rows();
+  const double first = rows.front().time_s;
+  const double last = rows.back().time_s;
+  if (site.departure_s && (*site.departure_s < first || *site.departure_s > last)) {
+    throw UsageError(fmt::format("--depart {} lies outside the table of '{}' ({} to {})",
+                                 time_text(*site.departure_s), choice.tide.string(),
+                                 time_text(first), time_text(last)));
+  }
+  // Depths count from the level that the survey is planned at.
+  for (TideHeight& row : rows) row.height_m -= options.water_level_m;
+  site.tide = std::make_shared<Tide>(std::move(rows));
 }
 
 }  // namespace swathplan

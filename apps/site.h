@@ -4,6 +4,7 @@
 
 #include "apps/survey.h"
 #include "coverage/covered/covered_before.h"
+#include "coverage/water/leg_water.h"
 #include "io/charts/hazards.h"
 #include "io/seafloor/area_import.h"
 #include "mesh/base/watch.h"
@@ -26,6 +27,10 @@ struct Site {
   /// left of them.
   std::shared_ptr<const CoveredBefore> covered;
   Rest rest;
+  std::shared_ptr<const Tide> tide;  ///< heights above the level that depths count from
+  std::optional<double> departure_s;
+
+  [[nodiscard]] bool is_timed() const { return tide != nullptr || departure_s.has_value(); }
 
   [[nodiscard]] const Seafloor& seafloor() const { return imported.seafloor; }
   /// What routes of the site are planned and scored on. Without a scene planners cannot simulate.
@@ -49,6 +54,10 @@ void check_meets_data(const Route& route, const Site& site, const std::filesyste
 /// @throws InvalidInput, UsageError as the importers do.
 [[nodiscard]] std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehicle,
                                               const Watch& watch = {});
+
+/// Takes tide and departure, with notes on them. @throws InvalidInput if the table cannot be used
+/// (io/water/tide_import.h); UsageError for a departure that is no time or outside the table.
+void take_tide(Site& site, const WaterChoice& choice, const SiteOptions& options);
 
 /// Takes what was surveyed before off the site's survey area, with notes of each file and of what
 /// is left. Without files the site stays as it is.

@@ -393,7 +393,7 @@ SurveyOptions in_force(const SurveyOptions& typed, const Survey& survey) {
 ImportOptions import_options(const SiteOptions& o) {
   ImportOptions result;
   result.crs = o.crs;
-  result.water_level_m = o.water_level_m;
+  result.water_level_m = o.water_level_m + o.chart_datum_offset_m;
   result.z_positive =
       o.z_positive == "down" ? ImportOptions::ZPositive::down : ImportOptions::ZPositive::up;
   result.up = o.up == "y"   ? ImportOptions::Up::y

@@ -22,6 +22,7 @@ namespace {
 struct PlanCommand {
   SiteOptions site;
   CoveredChoice covered;
+  WaterChoice water;
   SurveyOptions survey;
   OutputOptions output;
   ExportChoice exports;
@@ -42,6 +43,7 @@ Provenance provenance_of(const PlanCommand& command, const Survey& survey,
   Provenance provenance = provenance_of("plan", command.site, input_hash);
   PlanCommand typed = command;
   record(provenance, covered_options(typed.covered));
+  record(provenance, water_options(typed.water));
   record_scoring(provenance, typed.survey, survey);
   record(provenance, own_options(typed));
   record_planning(provenance, typed.survey, survey);
@@ -195,6 +197,7 @@ void run(const PlanCommand& command) {
   TerminalWatch watch(command.output.quiet, command.output.folder);
   const auto site = load_site(command.site, survey.vehicle, Watch(watch));
   check_export_crs(exports.formats, site->seafloor().frame);
+  take_tide(*site, command.water, command.site);
   take_off_covered(*site, command.covered, survey, command.site.layers);
   note_reach(*site, survey);
   watch.rest();
@@ -251,10 +254,10 @@ Command plan_command() {
   return {"plan",
           "Plan a survey with one planner: route, score, report",
           joined({site_options(command->site), covered_options(command->covered),
-                  scoring_options(command->survey), criteria_options(command->survey.criteria),
-                  own_options(*command), rows_of_planning(command->survey.planning),
-                  job_options(command->job), exporting_options(command->exports),
-                  output_options(command->output)}),
+                  water_options(command->water), scoring_options(command->survey),
+                  criteria_options(command->survey.criteria), own_options(*command),
+                  rows_of_planning(command->survey.planning), job_options(command->job),
+                  exporting_options(command->exports), output_options(command->output)}),
           [command] { run(*command); },
           {}};
 }

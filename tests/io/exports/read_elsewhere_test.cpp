@@ -371,5 +371,43 @@ TEST(ForeignLines, OtherWritersOfTheSameFormatsAreRead) {
   EXPECT_LE((path.route.waypoints[0].position - Vec2(10, 20)).norm(), 1e-5);
 }
 
+/// A .plan with these items beside members that QGroundControl never wrote.
+std::string plan_with(const std::string& items) {
+  return R"({"fileType":"Plan","version":1,"weather":{"wind":[1,2]},"mission":{"version":2,"sea":3,)"
+         R"("items":[)" +
+         items + "]}}";
+}
+
+std::string plan_item(double lat, const std::string& more = "") {
+  return R"({"type":"SimpleItem","command":16,"frame":3,"params":[0,0,0,null,)" +
+         std::to_string(lat) + ",15.0,0]" + more + "}";
+}
+
+TEST(ForeignMissions, OneWaypointIsRefusedAndForeignFieldsArePassedOver) {
+  EXPECT_THAT(refusal_of_route(plan_with(plan_item(55.0)), "a.plan"),
+              HasSubstr("'a.plan' holds one waypoint: a route needs at least two"));
+  EXPECT_THAT(refusal_of_route(plan_with(""), "a.plan"), HasSubstr("holds no waypoints"));
+  EXPECT_EQ(
+      refusal_of_route(plan_with(plan_item(55.0, R"(,"mood":"calm")") + "," + plan_item(55.001)),
+                       "a.plan"),
+      "accepted");
+  EXPECT_THAT(refusal_of_route(plan_with(plan_item(55.0) + R"(,{"type":"ComplexItem",)"
+                                                           R"("complexItemType":"garden"})"),
+                               "a.plan"),
+              HasSubstr("'garden' holds an area but none of its lines"));
+  const auto rtz = [](const std::string& waypoints) {
+    return R"(<route xmlns="http://www.cirm.org/RTZ/1/0" version="1.0"><routeInfo routeName="a"/>)"
+           "<waypoints>" +
+           waypoints + "</waypoints></route>";
+  };
+  const std::string first =
+      R"(<waypoint id="1" mood="calm"><position lat="55" lon="15"/></waypoint>)";
+  const std::string second =
+      R"(<waypoint id="2"><garden/><position lat="55.001" lon="15"/></waypoint>)";
+  EXPECT_THAT(refusal_of_route(rtz(first), "a.rtz"), HasSubstr("'a.rtz' holds one waypoint"));
+  EXPECT_EQ(refusal_of_route(rtz(first + second), "a.rtz"), "accepted");
+  EXPECT_NE(refusal_of_route(rtz(first + R"(<waypoint id="2"/>)"), "a.rtz"), "accepted");
+}
+
 }  // namespace
 }  // namespace swathplan

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "coverage/route/route.h"
+#include "coverage/route/vehicle.h"
+#include "coverage/water/tide.h"
+#include "mesh/seafloor.h"
+
+namespace swathplan {
+
+/// When a leg is sailed and how much water it has. Depths count from the level of the seafloor's
+/// frame, heights of the tide too.
+struct LegWater {
+  Leg leg{};
+  double start_s = 0.0, end_s = 0.0;  ///< since the start of the route
+  /// Least depth below the leg; empty where the data hold none below some of it.
+  std::optional<double> least_depth_m;
+  /// Least depth with the tide of the time when it is sailed, less the draft; empty without a
+  /// depth, a tide or a departure, or beyond the tide's table.
+  std::optional<double> under_keel_m;
+  bool short_of_water = false;    ///< then the depth is less than the vehicle's safe one
+  std::vector<TimeSpan> windows;  ///< in the tide's table, when all of it has the safe depth
+};
+
+/// What legs are sailed by.
+struct Sailing {
+  const Tide* tide = nullptr;         ///< null: still water
+  std::optional<double> departure_s;  ///< since 1970-01-01 00:00 UTC
+};
+
+/// The legs of a route in their order. Depths are looked up at least each kDepthStepM of path.
+[[nodiscard]] std::vector<LegWater> water_of_legs(const Route& route, const Vehicle& vehicle,
+                                                  const DepthQuery& depths, const Sailing& sailing);
+
+}  // namespace swathplan

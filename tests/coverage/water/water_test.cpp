@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coverage/scenes.h"
+#include "coverage/water/leg_water.h"
+
+namespace swathplan {
+namespace {
+
+TEST(Tide, IsStraightBetweenNearRows) {
+  const Tide tide({{0.0, 1.0}, {3600.0, 2.0}, {7200.0, 0.0}});
+  EXPECT_FALSE(tide.by_cosines());
+  EXPECT_DOUBLE_EQ(*tide.height_m(0.0), 1.0);
+  EXPECT_DOUBLE_EQ(*tide.height_m(1800.0), 1.5);
+  EXPECT_DOUBLE_EQ(*tide.height_m(7200.0), 0.0);
+  EXPECT_FALSE(tide.height_m(-1.0));
+  EXPECT_FALSE(tide.height_m(7201.0));
+}
+
+TEST(Tide, FollowsACosineBetweenHighAndLowWaters) {
+  const Tide tide({{0.0, 0.5}, {21600.0, 2.5}, {43200.0, 0.5}});
+  EXPECT_TRUE(tide.by_cosines());
+  EXPECT_NEAR(*tide.height_m(10800.0), 1.5, 1e-12);
+  EXPECT_NEAR(*tide.height_m(7200.0), 1.5 - std::cos(M_PI / 3.0), 1e-12);
+  // Above the middle for a quarter of the day: from 3 h to 9 h.
+  const auto spans = tide.spans_above(1.5);
+  ASSERT_EQ(spans.size(), 1U);
+  EXPECT_NEAR(spans[0].from_s, 10800.0, Tide::kTideStepS);
+  EXPECT_NEAR(spans[0].to_s, 32400.0, Tide::kTideStepS);
+  EXPECT_TRUE(tide.spans_above(3.0).empty());
+  EXPECT_EQ(tide.spans_above(0.0).size(), 1U);
+}
+
+/// Ground 3 m deep in the west and 10 m in the east.
+Seafloor stepped_ground() {
+  Seafloor s;
+  testing::add_plate(s, 0, 0, 50, 40, 3.0);
+  testing::add_plate(s, 50, 0, 100, 40, 10.0);
+  return s;
+}
+
+class LegWaterTest : public ::testing::Test {
+ protected:
+  LegWaterTest() : seafloor(stepped_ground()), depths(seafloor) {
+    const FanAngles fan{Angle::degrees(60), Angle::degrees(60)};
+    route = testing::route_through({{90, 10}, {60, 10}, {10, 10}}, fan);
+    route.waypoints[0].speed_mps = 0.01;  // 3000 s
+    route.waypoints[1].speed_mps = 0.01;  // 5000 s
+    route.waypoints[1].line = 2;
+    vehicle.draft_m = 1.0;
+    vehicle.under_keel_margin_m = 0.5;
+    vehicle.squat_m = 0.0;
+  }
+  Seafloor seafloor;
+  DepthQuery depths;
+  Route route;
+  Vehicle vehicle;
+};
+
+TEST_F(LegWaterTest, OfStillWaterIsTheDepthLessTheDraft) {
+  const auto legs = water_of_legs(route, vehicle, depths, {});
+  ASSERT_EQ(legs.size(), 2U);
+  EXPECT_NEAR(*legs[0].under_keel_m, 9.0, 1e-9);
+  EXPECT_NEAR(*legs[1].under_keel_m, 2.0, 1e-9);
+  EXPECT_NEAR(legs[1].start_s, 3000.0, 1e-6);
+  EXPECT_NEAR(legs[1].end_s, 8000.0, 1e-6);
+  EXPECT_FALSE(legs[1].short_of_water);
+  EXPECT_TRUE(legs[1].windows.empty());
+}
+
+TEST_F(LegWaterTest, TheTideOfTheHourCountsAndItsWindows) {
+  // From 0 it falls by a metre in 1000 s to -2 m, stays, and rises again.
+  const Tide tide({{0.0, 0.0}, {1000.0, -1.0}, {2000.0, -2.0}, {9000.0, -2.0}, {11000.0, 0.0}});
+  const auto legs = water_of_legs(route, vehicle, depths, {&tide, 0.0});
+  EXPECT_NEAR(*legs[0].under_keel_m, 7.0, 1e-6);
+  EXPECT_FALSE(legs[0].short_of_water);
+  EXPECT_NEAR(*legs[1].under_keel_m, 0.0, 1e-6);
+  EXPECT_TRUE(legs[1].short_of_water);
+  // 3 m carry the boat (1.5 m) while the tide is above -1.5 m.
+  ASSERT_EQ(legs[1].windows.size(), 2U);
+  EXPECT_NEAR(legs[1].windows[0].to_s, 1500.0, Tide::kTideStepS);
+  EXPECT_NEAR(legs[1].windows[1].from_s, 9500.0, Tide::kTideStepS);
+  EXPECT_EQ(legs[0].windows.size(), 1U);
+}
+
+TEST_F(LegWaterTest, BeyondTheTableOrTheDataNothingIsSaid) {
+  const Tide tide({{0.0, 0.0}, {3600.0, 0.0}});
+  const auto legs = water_of_legs(route, vehicle, depths, {&tide, 0.0});
+  EXPECT_TRUE(legs[0].under_keel_m);
+  EXPECT_FALSE(legs[1].under_keel_m) << "sailed after the table's end";
+  EXPECT_EQ(legs[1].windows.size(), 1U);
+  route.waypoints[2].position = Vec2(-20, 10);
+  EXPECT_FALSE(water_of_legs(route, vehicle, depths, {})[1].least_depth_m);
+}
+
+}  // namespace
+}  // namespace swathplan
