@@ -124,6 +124,13 @@ OptionTable site_options(SiteOptions& o, bool with_file) {
       real("--run-out-margin", kSeafloorGroup, o.run_out_margin_m, kMetres, at_least(0.0),
            "The boat may turn so far beyond the data's outer edge, metres; only where no land is",
            "run_out_margin_m"),
+      texts("--mosaic", kSeafloorGroup, o.mosaic,
+            "More files of the same seafloor, separated by commas or blanks: joined with FILE",
+            "mosaic_files"),
+      choice("--priority", kSeafloorGroup, o.priority, {"finest", "newest", "order"},
+             "Which file of a mosaic counts where several have data: that of the finest spacing, "
+             "the newest date (in the file or in its name), or the one that is named first",
+             "priority"),
       texts("--hazards", kHazardGroup, o.hazards,
             "What to keep off, and how far: FILE (a chart), FILE:LAYER=METRES, or of a chart that "
             "is the seafloor LAYER=METRES, LAYER=off, or none; several, separated by commas "

@@ -23,6 +23,8 @@ struct SiteOptions {
   double buffer_m = 0.0;             ///< room around their lines and points; 0: these do not count
   double run_out_margin_m = 0.0;     ///< beyond the data's edge where the boat may turn
   std::filesystem::path keep_off;    ///< not sailed over, but to be seen
+  std::vector<std::string> mosaic;   ///< further files of the same seafloor
+  std::string priority = "finest";   ///< which of them counts where several have data
   std::vector<std::string> hazards;  ///< as parse_hazards() reads them
   double chart_margin_m = 1000.0;    ///< of a chart, how much around the area is used
 };

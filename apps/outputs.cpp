@@ -58,7 +58,7 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
   write_holidays_geojson(folder, survey.scored.score.holidays, frame);
   if (!site.hazards.list.empty()) write_hazards_geojson(folder, site.hazards, frame);
   if (site.is_timed()) {
-    write_text_atomically(folder / "legs.csv",
+    write_text_atomically(folder / "water.csv",
                           legs_csv(survey.plan.route, survey.water, site.departure_s));
   }
   if (survey.judged) {
@@ -88,7 +88,7 @@ void remove_old_survey(const std::filesystem::path& folder, const Site& site) {
              site.seafloor().frame.crs_wkt.empty()
                  ? std::vector<std::string>{"route.geojson", "holidays.geojson"}
                  : std::vector<std::string>{"route.local.geojson", "holidays.local.geojson"});
-  remove_old(folder, {"tvu.tif", "thu.tif", "hazards.geojson", "legs.csv"});
+  remove_old(folder, {"tvu.tif", "thu.tif", "hazards.geojson", "water.csv"});
   remove_exports(folder, "route", all_export_formats());
   remove_old_sorties(folder);
 }

@@ -264,7 +264,7 @@ void note_water(const std::vector<LegWater>& legs, const Site& site, const Route
     const Waypoint& w = route.waypoints[least->leg.first];
     notes.push_back(fmt::format(
         "{} of {} are sailed with less than {:.2f} m of water (draft, squat and margin); the least "
-        "under the keel is {:.2f} m, on a {}{} at {}; legs.csv has all, and when each has enough",
+        "under the keel is {:.2f} m, on a {}{} at {}; water.csv has all, and when each has enough",
         shorts, counted(legs.size(), "leg"), safe_depth_m(vehicle), *least->under_keel_m,
         name(w.kind), w.line ? fmt::format(" ({})", *w.line) : "",
         time_text(*site.departure_s + least->start_s)));

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <map>
 
+#include "io/charts/chart_import.h"
 #include "io/charts/hazards.h"
 #include "io/covered/import_covered.h"
 #include "io/files/crs.h"
 #include "io/files/lonlat.h"
+#include "io/mosaic/mosaic.h"
 #include "io/seafloor/area_import.h"
 #include "io/water/tide_import.h"
 #include "io/water/times.h"
@@ -128,6 +130,12 @@ void crop_chart(Site& site, const SiteOptions& options, const Area& asked) {
       "the chart is used up to {:g} m around the area (--chart-margin)", options.chart_margin_m));
 }
 
+std::vector<std::filesystem::path> files_of(const SiteOptions& options) {
+  std::vector<std::filesystem::path> files{options.file};
+  files.insert(files.end(), options.mosaic.begin(), options.mosaic.end());
+  return files;
+}
+
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   std::error_code error;
   return std::filesystem::equivalent(a, b, error);
@@ -136,16 +144,26 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
 /// The hazards of the chart that is the seafloor, and of the files that were named.
 void add_hazards(Site& site, const SiteOptions& options) {
   const HazardChoices choices = parse_hazards(options.hazards);
-  const bool from_chart = site.imported.kind == "chart";
+  std::vector<std::filesystem::path> charts;
+  if (site.imported.kind == "chart") charts = files_of(options);
+  std::erase_if(charts, [](const std::filesystem::path& file) { return !is_chart(file); });
   std::map<std::filesystem::path, std::vector<HazardChoice>> by_file;
-  if (from_chart && choices.unasked) by_file[options.file].push_back({});
+  for (const std::filesystem::path& chart : charts) {
+    if (choices.unasked) by_file[chart].push_back({});
+  }
   for (const HazardChoice& choice : choices.list) {
-    if (choice.file.empty() && !from_chart) {
+    if (choice.file.empty() && charts.empty()) {
       throw UsageError("hazards", choice.layer,
                        "names a layer of a chart, but the seafloor is none; write FILE:LAYER");
     }
-    const bool own = choice.file.empty() || (from_chart && same_file(choice.file, options.file));
-    by_file[own ? options.file : choice.file].push_back(choice);
+    if (choice.file.empty()) {
+      for (const std::filesystem::path& chart : charts) by_file[chart].push_back(choice);
+      continue;
+    }
+    const auto own = std::find_if(
+        charts.begin(), charts.end(),
+        [&](const std::filesystem::path& chart) { return same_file(choice.file, chart); });
+    by_file[own != charts.end() ? *own : choice.file].push_back(choice);
   }
   const Box2 near = extent(site.seafloor());
   for (const auto& [file, how] : by_file) {
@@ -289,11 +307,19 @@ void check_meets_data(const Route& route, const Site& site, const std::filesyste
       file.string()));
 }
 
+ImportedSeafloor imported_seafloor(const SiteOptions& options) {
+  if (options.mosaic.empty()) return import_seafloor(options.file, import_options(options));
+  const MosaicPriority priority = options.priority == "newest"  ? MosaicPriority::newest
+                                  : options.priority == "order" ? MosaicPriority::order
+                                                                : MosaicPriority::finest;
+  return import_mosaic(files_of(options), priority, import_options(options));
+}
+
 std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehicle,
                                 const Watch& watch) {
   auto site = std::make_unique<Site>();
   watch.phase(fmt::format("reading {}", options.file.filename().string()));
-  site->imported = import_seafloor(options.file, import_options(options));
+  site->imported = imported_seafloor(options);
   watch.phase("working out areas and safe water");
   SurveyAreaOptions bounds;
   bounds.safe_depth_m = safe_depth_m(vehicle);

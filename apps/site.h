@@ -50,6 +50,10 @@ struct Site {
 /// @throws InvalidInput that names its file.
 void check_meets_data(const Route& route, const Site& site, const std::filesystem::path& file);
 
+/// Imports the seafloor: one file, or a mosaic of several.
+/// @throws InvalidInput, UsageError as the importers do.
+[[nodiscard]] ImportedSeafloor imported_seafloor(const SiteOptions& options);
+
 /// Imports the seafloor and the polygons and derives the areas for a vehicle.
 /// @throws InvalidInput, UsageError as the importers do.
 [[nodiscard]] std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehicle,

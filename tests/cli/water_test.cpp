@@ -45,16 +45,16 @@ TEST_F(Water, ATideTellsWhatIsUnderTheKeelOfEachLeg) {
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("tide of 'tide.csv': 4 rows from 2026-05-01T06:00:00Z"));
   EXPECT_THAT(run.err, HasSubstr("are sailed with less than"));
-  const std::string legs = text_of(folder / "out" / "legs.csv");
+  const std::string legs = text_of(folder / "out" / "water.csv");
   EXPECT_THAT(legs, HasSubstr("start_time,end_time,least_depth_m,under_keel_m"));
   EXPECT_THAT(legs, HasSubstr(",2026-05-01T08:00:00Z,"));
   // 5 m of water carry the boat until the tide has fallen by some 4 m.
   EXPECT_THAT(legs, HasSubstr(",1,2026-05-01T06:00:00Z/2026-05-01T07:"));
   // Without a tide the legs have their times alone, without either there is no table.
   ASSERT_EQ(plan("--depart 2026-05-01T08:00+02:00").code, 0);
-  EXPECT_THAT(text_of(folder / "out" / "legs.csv"), HasSubstr(",2026-05-01T06:00:00Z,"));
+  EXPECT_THAT(text_of(folder / "out" / "water.csv"), HasSubstr(",2026-05-01T06:00:00Z,"));
   ASSERT_EQ(plan("").code, 0);
-  EXPECT_FALSE(std::filesystem::exists(folder / "out" / "legs.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out" / "water.csv"));
 }
 
 TEST_F(Water, TablesAndTimesThatCannotBeUsedAreNamed) {

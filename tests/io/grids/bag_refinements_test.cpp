@@ -1,8 +1,11 @@
 #include "io/grids/bag_refinements.h"
 
+#include <gdal_priv.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "io/grids/bag_refinements_internal.h"
 #include "io/import_files.h"
@@ -73,6 +76,55 @@ TEST(BagRefinements, ANodeWithoutDataIsAHole) {
   const SurfaceData data = join_refinements(all, "v.bag");
   EXPECT_EQ(data.vertices.size(), 99U);
   EXPECT_DOUBLE_EQ(area(data), whole - 2.0);  // the square between its four neighbours
+}
+
+/// Each refinement as GDAL's own driver gives it, a raster of its own.
+std::vector<Vec3> nodes_by_supergrids(const std::filesystem::path& bag) {
+  GDALAllRegister();
+  const char* const list[] = {"MODE=LIST_SUPERGRIDS", nullptr};
+  const GDALDatasetUniquePtr file(
+      GDALDataset::Open(bag.c_str(), GDAL_OF_RASTER, nullptr, list, nullptr));
+  std::vector<Vec3> nodes;
+  char** names = file->GetMetadata("SUBDATASETS");
+  for (int i = 1;; ++i) {
+    const char* name =
+        CSLFetchNameValue(names, ("SUBDATASET_" + std::to_string(i) + "_NAME").c_str());
+    if (name == nullptr) return nodes;
+    const GDALDatasetUniquePtr grid(GDALDataset::Open(name, GDAL_OF_RASTER));
+    std::array<double, 6> to_map{};
+    grid->GetGeoTransform(to_map.data());
+    const int columns = grid->GetRasterXSize();
+    const int rows = grid->GetRasterYSize();
+    std::vector<float> values(static_cast<std::size_t>(columns * rows));
+    EXPECT_EQ(grid->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, columns, rows, values.data(), columns,
+                                               rows, GDT_Float32, 0, 0, nullptr),
+              CE_None);
+    for (int r = 0; r < rows; ++r) {
+      for (int c = 0; c < columns; ++c) {
+        const double z = static_cast<double>(values[static_cast<std::size_t>(r * columns + c)]);
+        if (z == 1e6) continue;
+        nodes.emplace_back(to_map[0] + (c + 0.5) * to_map[1], to_map[3] + (r + 0.5) * to_map[5], z);
+      }
+    }
+  }
+}
+
+TEST(BagRefinements, DepthsAreThoseOfTheFileToAMillimetre) {
+  const auto bag = std::filesystem::path(SWATHPLAN_SOURCE_DIR) / "tests" / "corpus" / "import" /
+                   "vr_pinnacle.bag";
+  std::vector<Vec3> wanted = nodes_by_supergrids(bag);
+  std::vector<Vec3> found = read_refinements(bag).vertices;
+  ASSERT_GT(wanted.size(), 100U);
+  ASSERT_EQ(found.size(), wanted.size());
+  const auto by_place = [](const Vec3& a, const Vec3& b) {
+    return std::pair(std::llround(1e3 * a.x()), std::llround(1e3 * a.y())) <
+           std::pair(std::llround(1e3 * b.x()), std::llround(1e3 * b.y()));
+  };
+  std::sort(wanted.begin(), wanted.end(), by_place);
+  std::sort(found.begin(), found.end(), by_place);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    ASSERT_LT((found[i] - wanted[i]).cwiseAbs().maxCoeff(), 1e-3) << i;
+  }
 }
 
 TEST(BagRefinements, WithoutASurfaceAreRefused) {

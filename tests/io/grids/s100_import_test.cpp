@@ -45,6 +45,36 @@ TEST_F(S100Import, ReadsDepthsFromTheSouth) {
   EXPECT_THAT(crs_name(data.crs_wkt), HasSubstr("EPSG:32633"));
 }
 
+TEST_F(S100Import, DepthsAreThoseOfTheFileToAMillimetre) {
+  constexpr std::size_t kRows = 40;
+  constexpr std::size_t kColumns = 50;
+  std::vector<float> records;
+  for (std::size_t i = 0; i < kRows * kColumns; ++i) {
+    records.push_back(3.0F + 0.0137F * static_cast<float>((i * 7919) % 4001));
+    records.push_back(0.2F);
+  }
+  {
+    const Hdf5Writer file(path("a.h5"));
+    Hdf5Writer::attribute(file.root(), "productSpecification", std::string("INT.IHO.S-102.3.0.0"));
+    Hdf5Writer::code(file.root(), "horizontalCRS", 32633);
+    const auto coverage = Hdf5Writer::group(file.root(), "BathymetryCoverage");
+    const auto instance = Hdf5Writer::group(coverage, "BathymetryCoverage.01");
+    Hdf5Writer::attribute(instance, "gridOriginLongitude", 500000.5);
+    Hdf5Writer::attribute(instance, "gridOriginLatitude", 4000000.5);
+    Hdf5Writer::attribute(instance, "gridSpacingLongitudinal", 1.0);
+    Hdf5Writer::attribute(instance, "gridSpacingLatitudinal", 1.0);
+    (void)Hdf5Writer::records(Hdf5Writer::group(instance, "Group_001"), "values", {kRows, kColumns},
+                              {"depth", "uncertainty"}, 0, records);
+  }
+  const SurfaceData data = read_grid(path("a.h5"));
+  ASSERT_EQ(data.vertices.size(), kRows * kColumns);
+  for (const Vec3& v : data.vertices) {
+    const auto column = static_cast<std::size_t>(v.x() - 500000.0);
+    const auto row = static_cast<std::size_t>(v.y() - 4000000.0);
+    ASSERT_NEAR(v.z(), static_cast<double>(records[2 * (row * kColumns + column)]), 1e-3);
+  }
+}
+
 TEST_F(S100Import, AsksWhichOfSeveralCoverages) {
   write_s102(path("a.h5"), {"BathymetryCoverage.01", "BathymetryCoverage.02"});
   EXPECT_THAT(refusal([&] { return read_s100(path("a.h5")); }),
