@@ -79,7 +79,7 @@ std::size_t UnnamedColumns::angle_parts() const {
   const auto& c = columns_;
   const auto degrees = [&](std::size_t i) { return c.at(i).whole_from_to(-180, 360); };
   const auto sixty = [&](std::size_t i) { return c.at(i).from_to(0, 59.9999999); };
-  const bool seconds = fewest_ >= 7 && degrees(0) && c[1].integers && sixty(1) && sixty(2) &&
+  const bool seconds = most_ >= 7 && degrees(0) && c[1].integers && sixty(1) && sixty(2) &&
                        degrees(3) && c[4].integers && sixty(4) && sixty(5);
   const bool minutes = fewest_ >= 5 && degrees(0) && sixty(1) && !c[1].integers && degrees(2) &&
                        c[2].low >= 0 && sixty(3) && !c[3].integers;
