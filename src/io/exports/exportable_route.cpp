@@ -8,6 +8,7 @@
 #include "io/files/lonlat.h"
 #include "io/files/text.h"
 #include "io/route/read_route.h"
+#include "io/route/route_csv.h"
 #include "io/route/route_gpkg_read.h"
 #include "mesh/base/error.h"
 
@@ -125,7 +126,9 @@ ExportableRoute read_exportable_route(const std::filesystem::path& path,
     result.geographic = result.planar;
     return result;
   }
-  result.planar = reader.read({});
+  Frame plain;
+  if (format == RouteFormat::csv) plain.metres_per_unit = route_csv_unit_m(text);
+  result.planar = reader.read(plain);
   result.geographic = result.planar;
   const std::vector<Vec2> lonlat =
       format == RouteFormat::csv ? lonlat_columns(text) : std::vector<Vec2>();

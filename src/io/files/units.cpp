@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -62,6 +63,29 @@ std::optional<double> metres_in(std::string_view unit) {
       std::find_if(kUnits.begin(), kUnits.end(), [&](const auto& u) { return u.first == name; });
   if (found == kUnits.end()) return {};
   return found->second;
+}
+
+namespace {
+
+constexpr std::pair<std::string_view, double> kMarks[] = {
+    {"m", 1.0}, {"ft", 0.3048}, {"us_ft", 1200.0 / 3937.0}};
+/// Files write a foot to eight digits or more; the two feet differ in the sixth.
+constexpr double kSameUnit = 5e-8;
+
+}  // namespace
+
+std::string_view unit_mark(double metres_per_unit) {
+  for (const auto& [mark, metres] : kMarks) {
+    if (std::abs(metres_per_unit - metres) < kSameUnit) return mark;
+  }
+  return "crs";
+}
+
+std::optional<double> metres_of_mark(std::string_view mark) {
+  for (const auto& [known, metres] : kMarks) {
+    if (mark == known) return metres;
+  }
+  return {};
 }
 
 }  // namespace swathplan

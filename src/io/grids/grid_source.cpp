@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <new>
 
 #include "io/files/gdal_at_home.h"
 #include "io/files/layer_choice.h"
@@ -24,6 +28,45 @@ struct Subdataset {
 
 GDALDatasetUniquePtr open_raster(const std::string& source) {
   return GDALDatasetUniquePtr(GDALDataset::Open(source.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+}
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+void copy_to_memory(const std::string& file, std::string_view bytes) {
+  const std::unique_ptr<VSILFILE, int (*)(VSILFILE*)> out(VSIFOpenL(file.c_str(), "wb"),
+                                                          &VSIFCloseL);
+  if (!out || VSIFWriteL(bytes.data(), 1, bytes.size(), out.get()) != bytes.size()) {
+    throw std::bad_alloc();
+  }
+}
+
+/// The folder of a copy without the mark, with the CRS that stands beside the file; none where the
+/// file has no mark. GDAL knows a text grid by its first word.
+std::shared_ptr<const std::string> without_mark(const fs::path& path) {
+  std::string head(kByteOrderMark.size(), '\0');
+  std::ifstream(path, std::ios::binary)
+      .read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (head != kByteOrderMark) return nullptr;
+  const std::shared_ptr<const std::string> folder(new std::string("/vsimem/swathplan-without-mark"),
+                                                  [](const std::string* f) {
+                                                    VSIRmdirRecursive(f->c_str());
+                                                    delete f;
+                                                  });
+  const std::string text = bytes_of(path);
+  copy_to_memory(*folder + "/" + path.filename().string(),
+                 std::string_view(text).substr(kByteOrderMark.size()));
+  for (const char* extension : {".prj", ".PRJ"}) {
+    const fs::path beside = fs::path(path).replace_extension(extension);
+    if (!fs::is_regular_file(beside)) continue;
+    copy_to_memory(*folder + "/" + path.stem().string() + ".prj", bytes_of(beside));
+    break;
+  }
+  return folder;
 }
 
 /// 'NETCDF:"/a/b.nc":depth' -> 'depth', 'GTIFF_DIR:2:/a/b.tif' -> '2'.
@@ -150,7 +193,9 @@ GridSource open_grid(const fs::path& path, const std::string& layer) {
   register_gdal();
   check_sources_stay_beside(path);
   GridSource source;
-  source.data = open_raster(path.string());
+  source.copy = without_mark(path);
+  source.data =
+      open_raster(source.copy ? *source.copy + "/" + path.filename().string() : path.string());
   if (!source.data) {
     throw InvalidInput(
         fmt::format("'{}' cannot be read as a grid{}; it may be truncated or garbled",

@@ -3,6 +3,7 @@
 #include <gdal_priv.h>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@ namespace swathplan {
 
 /// An open raster and the band of it that holds the seafloor.
 struct GridSource {
+  /// Of text that begins with a byte-order mark: the folder of its copy in GDAL's memory.
+  std::shared_ptr<const std::string> copy;
   GDALDatasetUniquePtr data;
   int band = 1;
   std::vector<std::string> notes, warnings;

@@ -7,6 +7,7 @@
 #include "io/files/geojson.h"
 #include "io/files/lonlat.h"
 #include "io/files/text.h"
+#include "io/files/units.h"
 
 namespace swathplan {
 namespace {
@@ -76,9 +77,10 @@ class Places {
 std::string properties(const Holiday& h, std::size_t rank, const std::string& drawn,
                        const Frame& frame) {
   const Vec2 file = frame.to_file(h.position);
+  const std::string_view unit = unit_mark(frame.metres_per_unit);
   return fmt::format(
-      R"({{"rank":{},"area_m2":{},"cells":{},"cause":"{}","x_m":{},"y_m":{},"outline":"{}"}})",
-      rank, decimal(h.area_m2, 6), h.cells, name(h.cause), decimal(file.x(), 3),
+      R"({{"rank":{},"area_m2":{},"cells":{},"cause":"{}","x_{}":{},"y_{}":{},"outline":"{}"}})",
+      rank, decimal(h.area_m2, 6), h.cells, name(h.cause), unit, decimal(file.x(), 3), unit,
       decimal(file.y(), 3), drawn);
 }
 

@@ -9,7 +9,8 @@
 namespace swathplan {
 
 /// The listed holidays as GeoJSON (RFC 7946), the largest first. Each is the polygon around its
-/// cells, with rank (from 1), area_m2, cells and cause. x_m, y_m is its position in the input file.
+/// cells, with rank (from 1), area_m2, cells and cause. x_m, y_m is its position in the input file
+/// (x_ft, x_us_ft, x_crs where the file has such units).
 /// `outline` says 'cells', or 'box' where the polygon is that of the holiday's box: it came without
 /// an outline, or crosses 180 degrees.
 /// Without a CRS, coordinates are as in route_geojson.h. The members `holidays` and

@@ -10,6 +10,7 @@
 #include "io/files/csv.h"
 #include "io/files/lonlat.h"
 #include "io/files/text.h"
+#include "io/files/units.h"
 #include "mesh/base/error.h"
 
 namespace swathplan {
@@ -100,8 +101,8 @@ RouteColumns route_columns(const Columns& c) {
           .line = c.find({"line"}),
           .kind = c.find({"kind"}),
           .log = c.find({"log"}),
-          .x = c.find({"x_m", "x", "easting", "easting_m"}),
-          .y = c.find({"y_m", "y", "northing", "northing_m"}),
+          .x = c.find({"x_m", "x", "easting", "easting_m", "x_ft", "x_us_ft", "x_crs"}),
+          .y = c.find({"y_m", "y", "northing", "northing_m", "y_ft", "y_us_ft", "y_crs"}),
           .lon = c.find({"lon_deg", "lon", "longitude", "long", "lng"}),
           .lat = c.find({"lat_deg", "lat", "latitude"}),
           .port = c.find({"port_deg"}),
@@ -161,6 +162,24 @@ double speed_of(const CsvTable::Row& row, const Columns& c, const RouteColumns& 
   return speed;
 }
 
+/// What the name of a column says of its unit; empty where it says nothing.
+std::string_view mark_in(std::string_view name) {
+  const std::size_t at = name.find('_');
+  return at == std::string_view::npos ? std::string_view() : name.substr(at + 1);
+}
+
+/// Refuses x and y in other units than those of the coordinates that they are to be.
+void check_unit(const std::string& name, const std::string& file, const Frame& frame) {
+  const std::string_view said = mark_in(name);
+  const std::string_view here = unit_mark(frame.metres_per_unit);
+  if (said.empty() || said == here) return;
+  throw InvalidInput(fmt::format(
+      "'{}': the column '{}' does not fit the coordinates of the seafloor's file, whose "
+      "columns are x_{},y_{}: convert it, or leave the unit out of its name if the "
+      "numbers are such coordinates",
+      file, name, here, here));
+}
+
 /// Checks the columns of the file before any row is read.
 void check_table(const CsvTable& table, const RouteColumns& columns, const std::string& file,
                  const Frame& frame, const RouteDefaults& defaults) {
@@ -171,6 +190,7 @@ void check_table(const CsvTable& table, const RouteColumns& columns, const std::
         "(see route.csv), or the file must be GeoJSON",
         file));
   }
+  if (xy) check_unit(table.header[*columns.x], file, frame);
   if (!xy && frame.crs_wkt.empty()) {
     throw InvalidInput(
         fmt::format("'{}' is in longitude and latitude, but the seafloor has no "
@@ -259,9 +279,9 @@ std::string route_csv(const Route& route, const Frame& frame) {
   const LonLat conversion(frame);
   const std::vector<Vec2> lonlat =
       conversion.known() ? conversion.from_local(local) : std::vector<Vec2>();
-  std::string text =
-      "seq,line,kind,log,x_m,y_m,lon_deg,lat_deg,port_deg,stbd_deg,speed_mps,region,status"
-      "\r\n";
+  std::string text = fmt::format(
+      "seq,line,kind,log,x_{0},y_{0},lon_deg,lat_deg,port_deg,stbd_deg,speed_mps,region,status\r\n",
+      unit_mark(frame.metres_per_unit));
   for (std::size_t i = 0; i < local.size(); ++i) {
     text +=
         row(i, route.waypoints[i], frame.to_file(local[i]), lonlat.empty() ? nullptr : &lonlat[i]);
@@ -272,6 +292,14 @@ std::string route_csv(const Route& route, const Frame& frame) {
 void write_route_csv(const std::filesystem::path& path, const Route& route, const Frame& frame) {
   if (const auto why = fault(route)) throw InvalidInput("the route cannot be written: " + *why);
   write_text_atomically(path, route_csv(route, frame));
+}
+
+double route_csv_unit_m(std::string_view text) {
+  for (const std::string& name : parse_csv(text).header) {
+    if (!name.starts_with("x_")) continue;
+    if (const auto metres = metres_of_mark(mark_in(name))) return *metres;
+  }
+  return 1.0;
 }
 
 ImportedRoute parse_route_csv(std::string_view text, const std::string& name, const Frame& frame,

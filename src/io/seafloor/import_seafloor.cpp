@@ -78,7 +78,6 @@ void check_file(const fs::path& path) {
 
 /// Text that readers of plain text would take for something else.
 void refuse_other_encodings(const fs::path& path) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::array<char, 512> head{};
   std::ifstream in(path, std::ios::binary);
   in.read(head.data(), head.size());
@@ -87,20 +86,15 @@ void refuse_other_encodings(const fs::path& path) {
     throw InvalidInput(
         fmt::format("'{}' is text in UTF-16; save it as plain text (UTF-8)", path.string()));
   }
-  if (text.starts_with(kByteOrderMark) &&
-      lower(trim(text.substr(kByteOrderMark.size()))).starts_with("ncols")) {
-    throw InvalidInput(fmt::format(
-        "'{}' is an Esri ASCII grid that begins with a byte-order mark (three bytes before "
-        "'ncols'); save it without (as UTF-8 without BOM)",
-        path.string()));
-  }
 }
 
 bool starts_like_text(const fs::path& path, std::string_view word) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::array<char, 512> head{};
   std::ifstream in(path, std::ios::binary);
   in.read(head.data(), head.size());
-  const std::string_view text(head.data(), static_cast<std::size_t>(in.gcount()));
+  std::string_view text(head.data(), static_cast<std::size_t>(in.gcount()));
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (!word.empty()) return lower(trim(text)).starts_with(word);
   return std::none_of(text.begin(), text.end(), [](char c) {
     return (c >= 0 && c < ' ' && c != '\n' && c != '\r' && c != '\t' && c != '\f') || c == 127;

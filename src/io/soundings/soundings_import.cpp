@@ -199,7 +199,7 @@ class RowReader {
   }
 
   /// Rows without names are x, y, z and perhaps more, if nothing speaks against it.
-  void judge_unnamed(std::string_view row, bool named) const {
+  void judge_unnamed(std::string_view row, bool named) {
     if (width_ <= 3 && !named) {
       const std::vector<std::string_view> fields = split_row(row, style_->separator);
       const bool three = fields.size() >= 3 &&
@@ -207,6 +207,40 @@ class RowReader {
                                      [&](std::string_view f) { return number_of(f, *style_); });
       if (three) return;
     }
+    const UnnamedColumns columns = unnamed();
+    if (!named && columns.is_matrix()) {
+      throw InvalidInput(
+          fmt::format("'{}' looks like a bare matrix of depths, without places; give it a head of "
+                      "places and cell size (as Esri ASCII or GeoTIFF), or rows of x, y, z",
+                      path_.string()));
+    }
+    if (!named && columns.angle_parts() > 0) {
+      take_angles(columns.angle_parts(), {.x = 1, .y = 0, .z = 2});
+      return;
+    }
+    if (columns.angle_parts() > 0) {
+      throw InvalidInput(fmt::format(
+          "'{}', line {}: '{}' looks like degrees, minutes and seconds in columns of their own, "
+          "but "
+          "the header names fewer columns; leave the header out, or turn each angle into one "
+          "decimal number with its sign (33 51 36 S is -33.86)",
+          path_.string(), line_, quotable(row)));
+    }
+    if (const std::size_t date = named ? 0 : columns.date_columns(); date > 0) {
+      columns_ = {.x = date, .y = date + 1, .z = date + 2};
+      date_columns_ = date;
+      return;
+    }
+    const std::string doubt = columns.doubt();
+    if (doubt.empty()) return;
+    throw InvalidInput(
+        fmt::format("'{}', line {}: '{}' has {} columns {}, and {}; say which are meant with {}",
+                    path_.string(), line_, quotable(row), width_,
+                    named ? "but fewer names" : "without names", doubt, kExample));
+  }
+
+  /// What all rows say of columns without names.
+  [[nodiscard]] UnnamedColumns unnamed() const {
     UnnamedColumns columns;
     TextLines lines(path_);
     std::string_view line;
@@ -220,24 +254,44 @@ class RowReader {
       });
       if (numbers >= 3 || lines.number() == line_) columns.add(fields, *style_);
     }
-    if (!named && columns.is_matrix()) {
-      throw InvalidInput(
-          fmt::format("'{}' looks like a bare matrix of depths, without places; give it a head of "
-                      "places and cell size (as Esri ASCII or GeoTIFF), or rows of x, y, z",
-                      path_.string()));
+    return columns;
+  }
+
+  /// Two angles of so many columns each begin the rows. Each counts as one column from now on.
+  void take_angles(std::size_t parts, const SoundingColumns& columns) {
+    angle_parts_ = parts;
+    columns_ = columns;
+    columns_.lon_lat = true;
+  }
+
+  /// Columns that were chosen by the first column of each angle.
+  void take_chosen_angles() {
+    const std::size_t parts = unnamed().angle_parts();
+    const auto& c = columns_;
+    const bool first_of_each = std::min(c.x, c.y) == 0 && std::max(c.x, c.y) == parts;
+    if (parts == 0 || !first_of_each || c.z < 2 * parts) return;
+    SoundingColumns chosen = c;
+    chosen.x = c.x == 0 ? 0 : 1;
+    chosen.y = 1 - chosen.x;
+    chosen.z = c.z - 2 * parts + 2;
+    take_angles(parts, chosen);
+  }
+
+  /// The fields of a row, an angle's columns as one field; none if there are too few.
+  [[nodiscard]] std::vector<std::string_view> fields_of(std::string_view row) {
+    std::vector<std::string_view> fields = split_row(row, style_->separator);
+    if (angle_parts_ == 0) return fields;
+    if (fields.size() <= 2 * angle_parts_) return {};
+    for (std::size_t k = 0; k < angles_.size(); ++k) {
+      angles_.at(k).clear();
+      for (std::size_t i = 0; i < angle_parts_; ++i) {
+        angles_.at(k).append(fields[k * angle_parts_ + i]).append(" ");
+      }
+      if (style_->decimal_comma) std::replace(angles_.at(k).begin(), angles_.at(k).end(), ',', '.');
     }
-    if (columns.is_angle_in_parts()) {
-      throw InvalidInput(fmt::format(
-          "'{}', line {}: '{}' looks like degrees, minutes and seconds in columns of their own; "
-          "turn each angle into one decimal number with its sign (33 51 36 S is -33.86)",
-          path_.string(), line_, quotable(row)));
-    }
-    const std::string doubt = columns.doubt();
-    if (doubt.empty()) return;
-    throw InvalidInput(
-        fmt::format("'{}', line {}: '{}' has {} columns {}, and {}; say which are meant with {}",
-                    path_.string(), line_, quotable(row), width_,
-                    named ? "but fewer names" : "without names", doubt, kExample));
+    fields.erase(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(2 * angle_parts_));
+    fields.insert(fields.begin(), angles_.begin(), angles_.end());
+    return fields;
   }
 
   void take_choice(const std::vector<std::string_view>& row) {
@@ -273,6 +327,8 @@ class RowReader {
     columns_.z_is_depth = choice_.z_is_depth || z.is_depth;
     columns_.z_unit_m = z.unit_m;
     if (!columns_.lon_lat && x.unit_m == y.unit_m) columns_.xy_unit_m = x.unit_m;
+    constexpr std::size_t kFewestOfAngles = 5;
+    if (header_.empty() && width_ >= kFewestOfAngles) take_chosen_angles();
   }
 
   [[nodiscard]] bool named_in(const std::vector<std::string_view>& names) const {
@@ -345,6 +401,11 @@ class RowReader {
 
   void say_columns(SurfaceData& data) const {
     if (header_.empty() && width_ <= 3 && !choice_.given()) return;
+    if (angle_parts_ > 0) return say_angles(data);
+    if (date_columns_ > 0) {
+      data.notes.push_back(fmt::format("columns 1 to {} hold {}", date_columns_,
+                                       date_columns_ > 3 ? "a date and a time" : "a date"));
+    }
     std::string text = fmt::format("x is {}, y is {}, z is {}", title(columns_.x),
                                    title(columns_.y), title(columns_.z));
     if (columns_.lon_lat) text += "; x and y are longitude and latitude";
@@ -372,9 +433,55 @@ class RowReader {
     data.notes.push_back(text);
   }
 
+  void say_angles(SurfaceData& data) const {
+    const auto columns = [&](std::size_t angle) {
+      return fmt::format("{} to {}", angle * angle_parts_ + 1, (angle + 1) * angle_parts_);
+    };
+    const std::string text = fmt::format(
+        "columns {} are the latitude and {} the longitude, in degrees{} and north and east where "
+        "they have no sign; z is column {}",
+        columns(columns_.y), columns(columns_.x),
+        angle_parts_ == 3 ? ", minutes and seconds," : " and minutes,",
+        columns_.z + 2 * angle_parts_ - 1);
+    if (choice_.given()) {
+      data.notes.push_back(text);
+    } else {
+      data.warnings.push_back(fmt::format(
+          "{}: the file does not say so; if it is otherwise, name the first column of each with "
+          "<columns>, as in lon=1,lat={},z={}",
+          text, angle_parts_ + 1, 2 * angle_parts_ + 1));
+    }
+  }
+
+  /// Logs that begin with a date give the latitude first. Degrees are told from metres as
+  /// everywhere: places far from zero that lie closer together than they are deep.
+  void place_log(SurfaceData& data) const {
+    if (date_columns_ == 0 || data.vertices.empty() || columns_.lon_lat) return;
+    Vec3 low = data.vertices.front();
+    Vec3 high = low;
+    for (const Vec3& v : data.vertices) {
+      low = low.cwiseMin(v);
+      high = high.cwiseMax(v);
+    }
+    const double size = (high - low).head<2>().norm();
+    const double deepest = std::max(std::abs(low.z()), std::abs(high.z()));
+    const Vec2 middle = 0.5 * (low + high).head<2>();
+    const bool degrees = middle.cwiseAbs().maxCoeff() <= 180.0 &&
+                         middle.cwiseAbs().minCoeff() <= 90.0 && deepest > 2.0 * size &&
+                         middle.cwiseAbs().minCoeff() > 2.0 * size;
+    if (!degrees) return;
+    for (Vec3& v : data.vertices) std::swap(v.x(), v.y());
+    data.crs_wkt = wgs84_crs();
+    data.warnings.push_back(fmt::format(
+        "columns {} and {} look like degrees behind a date: taken as latitude and longitude, as "
+        "logs have them; if it is otherwise, give <columns> lon={},lat={},z={}",
+        date_columns_ + 1, date_columns_ + 2, date_columns_ + 1, date_columns_ + 2,
+        date_columns_ + 3));
+  }
+
   void add(std::string_view row, SurfaceData& data) {
     if (!style_) begin(row, data);
-    const std::vector<std::string_view> fields = split_row(row, style_->separator);
+    const std::vector<std::string_view> fields = fields_of(row);
     const std::size_t needed = std::max({columns_.x, columns_.y, columns_.z});
     const bool shifted = text_before_ && filled(fields) > std::max(width_, needed + 1);
     if (fields.size() <= needed || shifted) return add_stray(row, fields);
@@ -474,6 +581,7 @@ class RowReader {
     }
     if (columns_.z_is_depth) data.z_is_depth = true;
     if (columns_.lon_lat) data.crs_wkt = wgs84_crs();
+    place_log(data);
   }
 
   const fs::path& path_;
@@ -488,7 +596,10 @@ class RowReader {
   std::optional<std::size_t> header_at_, units_at_;
   SoundingColumns columns_;
   std::optional<RowStyle> style_;
-  std::size_t width_ = 0;     ///< columns of the first row
+  std::size_t width_ = 0;              ///< columns of the first row
+  std::size_t date_columns_ = 0;       ///< before x, y and z, in rows without names
+  std::size_t angle_parts_ = 0;        ///< columns of each of two angles; 0: angles are one column
+  std::array<std::string, 2> angles_;  ///< of the row that is being read
   bool text_before_ = false;  ///< words stand before z: a further field would shift the columns
   std::size_t strays_ = 0, words_ = 0, first_words_ = 0, without_depth_ = 0;
   std::string first_stray_;

@@ -28,6 +28,7 @@ void UnnamedColumns::add(const std::vector<std::string_view>& fields, const RowS
   std::size_t n = fields.size();
   while (n > 0 && fields[n - 1].empty()) --n;  // a separator at the end of the row
   fewest_ = std::min(fewest_, n);
+  most_ = std::max(most_, n);
   std::vector<double> values;
   for (std::size_t i = 0; i < std::min(n, kMost); ++i) {
     Column& column = columns_.at(i);
@@ -62,15 +63,27 @@ bool UnnamedColumns::is_date_first() const {
   return year_first || year_last;
 }
 
-bool UnnamedColumns::is_angle_in_parts() const {
+std::size_t UnnamedColumns::date_columns() const {
+  constexpr std::size_t kDate = 3, kDateAndTime = 6, kPlace = 3;
+  const auto& c = columns_;
+  if (!is_date_first() || most_ != fewest_) return 0;
+  for (std::size_t i = fewest_ - kPlace; i < std::min(fewest_, kMost); ++i) {
+    if (!c.at(i).numbers) return 0;
+  }
+  if (fewest_ == kDate + kPlace) return kDate;
+  const bool time = c[3].whole_from_to(0, 23) && c[4].whole_from_to(0, 59) && c[5].from_to(0, 61);
+  return fewest_ == kDateAndTime + kPlace && time ? kDateAndTime : 0;
+}
+
+std::size_t UnnamedColumns::angle_parts() const {
   const auto& c = columns_;
   const auto degrees = [&](std::size_t i) { return c.at(i).whole_from_to(-180, 360); };
   const auto sixty = [&](std::size_t i) { return c.at(i).from_to(0, 59.9999999); };
-  const bool seconds = fewest_ >= 7 && degrees(0) && c[1].integers && sixty(1) && sixty(2) &&
+  const bool seconds = most_ >= 7 && degrees(0) && c[1].integers && sixty(1) && sixty(2) &&
                        degrees(3) && c[4].integers && sixty(4) && sixty(5);
   const bool minutes = fewest_ >= 5 && degrees(0) && sixty(1) && !c[1].integers && degrees(2) &&
                        c[2].low >= 0 && sixty(3) && !c[3].integers;
-  return seconds || minutes;
+  return seconds ? 3 : minutes ? 2 : 0;
 }
 
 bool UnnamedColumns::is_counter_first() const {

@@ -18,8 +18,12 @@ class UnnamedColumns {
 
   /// True if the rows look like a matrix of depths without places.
   [[nodiscard]] bool is_matrix() const;
-  /// True if degrees, minutes and seconds stand in columns of their own.
-  [[nodiscard]] bool is_angle_in_parts() const;
+  /// How many columns each of two angles takes at the beginning of the rows: 3 for degrees, minutes
+  /// and seconds, 2 for degrees and minutes, 0 if there are no such angles.
+  [[nodiscard]] std::size_t angle_parts() const;
+  /// How many columns a date, or a date and a time of day, takes before the only three others; 0 if
+  /// there is none.
+  [[nodiscard]] std::size_t date_columns() const;
   /// Why the first three columns may not be x, y and z ('column 1 holds ...'); empty if nothing
   /// speaks against it.
   [[nodiscard]] std::string doubt() const;
@@ -43,7 +47,7 @@ class UnnamedColumns {
   [[nodiscard]] bool is_counter_first() const;
 
   std::array<Column, kMost> columns_{};
-  std::size_t rows_ = 0, fewest_ = kMost, alike_ = 0;
+  std::size_t rows_ = 0, fewest_ = kMost, most_ = 0, alike_ = 0;
   std::vector<double> first_;  ///< column 1 while it holds whole numbers
 };
 

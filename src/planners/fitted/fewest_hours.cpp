@@ -14,6 +14,7 @@
 #include "planners/fitted/edge_following.h"
 #include "planners/fitted/infill.h"
 #include "planners/fitted/line_workshop.h"
+#include "planners/fitted/part_within.h"
 #include "planners/fronts/field_lines.h"
 #include "planners/fronts/fitted_straight.h"
 #include "planners/fronts/headland.h"
@@ -80,6 +81,9 @@ int passes_over(double metres, double step) {
 }
 /// A detour that a join without a forward way asks for, turn radii.
 constexpr double kHoursDetourRadii = 8.0 * std::numbers::pi;
+
+/// Under this share of what the quickest plan takes, a limit holds no more than a part of a plan.
+constexpr double kHoursOfPart = 0.7;
 
 enum class Kind { rows, field, edges };
 
@@ -410,7 +414,23 @@ class HoursSearch {
     return result;
   }
 
+  /// Whether length or time is set far under what any plan takes: then a part of a plain plan is
+  /// as good as that of the best.
+  [[nodiscard]] bool holds_a_part_only() const {
+    const PlanGoal& goal = options_.goal;
+    if (!goal.length_m && !goal.time_s) return false;
+    return std::none_of(pool_.begin(), pool_.end(), [&](const Tried& tried) {
+      const Outcome& o = tried.outcome;
+      return goal.length_m ? *goal.length_m > kHoursOfPart * o.length_m
+                           : *goal.time_s > kHoursOfPart * o.duration_s;
+    });
+  }
+
   void first_ways() {
+    if ((options_.goal.length_m || options_.goal.time_s) && options_.lines != LineSource::field) {
+      for (const double deg : directions()) try_way({.kind = Kind::rows, .azimuth_deg = deg});
+      if (!pool_.empty() && holds_a_part_only()) return;
+    }
     for (const bool headland : {true, false}) {
       if (headland && walls_.empty()) continue;
       if (options_.lines != LineSource::field) {
@@ -445,7 +465,7 @@ class HoursSearch {
   /// Coarse cells cover a little more or less than the ones that count. What the best plan so far
   /// loses or gains by them, all others are taken to lose or gain.
   void calibrate() {
-    if (coarse_ == 1 || over()) return;
+    if (coarse_ == 1 || over() || holds_a_part_only()) return;
     Tried tried = pool_[best()];
     const double coarse = tried.outcome.cover_pct;
     judge_in_full(tried);
@@ -457,6 +477,7 @@ class HoursSearch {
 
   void vary_the_best() {
     std::vector<Way> varied;
+    if (holds_a_part_only()) return;
     while (static_cast<int>(known_.size()) < budget_ && !over()) {
       // The best that was not varied yet.
       std::optional<std::size_t> next;
@@ -536,7 +557,18 @@ class HoursSearch {
       if (known) continue;
       done.push_back(pool_[i].outcome);
       Tried tried = std::move(pool_[i]);
-      fill_in(tried, judge_in_full(tried));
+      CoverageGrid grid = judge_in_full(tried);
+      std::optional<Route> part;
+      if (!reaches(tried.outcome)) {
+        part = part_within(tried.built.route, options_.goal, options_.least_line_m);
+      }
+      if (part) {
+        tried.built = {std::move(*part), {}};
+        tried.outcome.what += ", the part that the limit holds";
+        judge_in_full(tried);
+      } else {
+        fill_in(tried, std::move(grid));
+      }
     }
   }
 

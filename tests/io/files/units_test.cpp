@@ -17,5 +17,14 @@ TEST(Units, AreKnownByTheNamesThatFilesUse) {
   EXPECT_FALSE(metres_in("m/s"));
 }
 
+TEST(Units, NamesOfColumnsSayWhatACoordinateCountsIn) {
+  EXPECT_EQ(unit_mark(1.0), "m");
+  EXPECT_EQ(unit_mark(0.3048), "ft");
+  EXPECT_EQ(unit_mark(0.3048006096), "us_ft");
+  EXPECT_EQ(unit_mark(1000.0), "crs");
+  EXPECT_EQ(metres_of_mark("us_ft"), 1200.0 / 3937.0);
+  EXPECT_EQ(metres_of_mark("crs"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace swathplan

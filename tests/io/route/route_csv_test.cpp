@@ -226,5 +226,34 @@ TEST(ReadRoute, TellsTheFormatByTheContentAndNamesTheFile) {
   EXPECT_THAT(read, testing::ThrowsMessage<InvalidInput>(HasSubstr("cannot read")));
 }
 
+TEST(RouteCsv, FeetNeverStandInAColumnOfMetres) {
+  Frame feet;
+  feet.metres_per_unit = 0.3048;
+  Route route;
+  route.waypoints.resize(2);
+  route.waypoints[1].position = {30.48, 0.0};
+  route.waypoints[1].kind = LegKind::end;
+  const std::string text = route_csv(route, feet);
+  EXPECT_THAT(text, HasSubstr(",log,x_ft,y_ft,lon_deg,"));
+  EXPECT_THAT(text, HasSubstr(",100,0,"));
+  EXPECT_EQ(route_csv_unit_m(text), 0.3048);
+  EXPECT_EQ(route_csv_unit_m("x_m,y_m\n0,0\n"), 1.0);
+  const Route back = parse_route_csv(text, "route.csv", feet, {}).route;
+  EXPECT_NEAR(back.waypoints[1].position.x(), 30.48, 1e-9);
+  // Without a unit it is a coordinate of the file; with another one it is refused.
+  EXPECT_NEAR(parse_route_csv("x,y\n0,0\n100,0\n", "r.csv", feet, {.fan = FanAngles{}})
+                  .route.waypoints[1]
+                  .position.x(),
+              30.48, 1e-9);
+  for (const auto& [name, frame] : {std::pair{"x_m,y_m", feet}, std::pair{"x_ft,y_ft", Frame{}}}) {
+    try {
+      (void)parse_route_csv(std::string(name) + "\n0,0\n100,0\n", "r.csv", frame, {});
+      FAIL() << name;
+    } catch (const InvalidInput& e) {
+      EXPECT_THAT(e.what(), HasSubstr("does not fit the coordinates"));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace swathplan

@@ -2,6 +2,7 @@
 #include <cpl_vsi.h>
 #include <gmock/gmock.h>
 
+#include "io/files/crs.h"
 #include "io/import_files.h"
 #include "io/seafloor/import_seafloor.h"
 #include "io/seafloor/inspection.h"
@@ -236,13 +237,24 @@ TEST_F(ForeignFiles, ReadableTextIsNeverCalledGarbled) {
   const auto says = [&](const std::string& text) {
     return refusal([&] { return import_seafloor(write("a.asc", text)); });
   };
-  EXPECT_THAT(says(std::string("\xEF\xBB\xBF") + std::string(kHead) + "-9 -9 -9\n"),
-              AllOf(HasSubstr("byte-order mark"), Not(HasSubstr("garbled"))));
   EXPECT_THAT(says(std::string("\xFF\xFE"
                                "1\0 \0",
                                6)),
               HasSubstr("UTF-16"));
   EXPECT_THAT(says("Read me first.\n"), AllOf(HasSubstr("line 1"), Not(HasSubstr("garbled"))));
+}
+
+TEST_F(ForeignFiles, AGridBehindAByteOrderMarkIsReadWithItsCrs) {
+  const std::string grid =
+      "ncols 3\nnrows 2\nxllcorner 500000\nyllcorner 4000000\ncellsize 10\n"
+      "-5 -6 -7\n-5 -6 -8\n";
+  write("plain.prj", parse_crs("EPSG:32633"));
+  write("bom.prj", parse_crs("EPSG:32633"));
+  const ImportedSeafloor plain = import_seafloor(write("plain.asc", grid));
+  const ImportedSeafloor marked = import_seafloor(write("bom.asc", "\xEF\xBB\xBF" + grid));
+  EXPECT_EQ(marked.seafloor.vertices, plain.seafloor.vertices);
+  EXPECT_EQ(marked.crs_name, plain.crs_name);
+  EXPECT_EQ(marked.raw_z_min, -8.0);
 }
 
 }  // namespace

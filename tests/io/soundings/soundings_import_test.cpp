@@ -184,10 +184,10 @@ TEST_F(SoundingsImport, ColumnsThatAreNotClearAreAskedFor) {
                    "3,4000010.0,500000.0,-8.1,GS\n4,4000010.0,500010.0,-8.0,GS\n"),
               testing::AllOf(asks, HasSubstr("numbers of points")));
   EXPECT_THAT(says("7 10.5 20 -8\n3 11.5 20 -9\n5 10.5 21 -8\n"), asks);
-  EXPECT_THAT(says("2010 1 13 7 0 0 -37.0 -73.5 -8.0\n2010 1 13 7 1 1 -37.0 -73.4 -8.3\n"
-                   "2010 1 14 7 1 1 -37.1 -73.4 -8.3\n"),
+  EXPECT_THAT(says("2010 1 13 7 0 0 -37.0 -73.5 -8.0 1 2\n2010 1 13 7 1 1 -37.0 -73.4 -8.3 1 2\n"
+                   "2010 1 14 7 1 1 -37.1 -73.4 -8.3 1 3\n"),
               testing::AllOf(asks, HasSubstr("date")));
-  EXPECT_THAT(says("33 51 12.00 18 25 5.00 8.0\n33 51 15.50 18 25 7.00 8.3\n"
+  EXPECT_THAT(says("lat lon depth\n33 51 12.00 18 25 5.00 8.0\n33 51 15.50 18 25 7.00 8.3\n"
                    "33 52 15.00 18 26 7.00 8.3\n"),
               HasSubstr("degrees, minutes and seconds"));
   EXPECT_THAT(says("15.0;36.1;;;8.0;0.1;7\n15.1;36.1;;;8.3;0.1;7\n15.0;36.2;;;"
@@ -291,6 +291,53 @@ TEST_F(SoundingsImport, CoordinatesBeyondAnyMapAreRefused) {
   SurfaceData wide;
   wide.vertices = {Vec3(9e307, 1e308, -5), Vec3(6e307, 1e308, -5), Vec3(1.5e308, -1.5e308, -5)};
   EXPECT_THAT(refusal([&] { return join_soundings(wide, {}); }), HasSubstr("no map has"));
+}
+
+TEST_F(SoundingsImport, AnglesInPartsAreDegreesAndTheLatitudeComesFirst) {
+  const std::string rows =
+      "33 51 12.00 -18 25 5.00 8.0\n33 51 15.00 -18 25 5.00 8.3\n33 51 12.00 -18 25 7.20 8.6\n";
+  const SurfaceData data = read_soundings(write("dms.xyz", rows));
+  ASSERT_EQ(data.vertices.size(), 3U);
+  EXPECT_NEAR(data.vertices[0].x(), -(18.0 + 25.0 / 60.0 + 5.0 / 3600.0), 1e-9);
+  EXPECT_NEAR(data.vertices[0].y(), 33.0 + 51.0 / 60.0 + 12.0 / 3600.0, 1e-9);
+  EXPECT_EQ(data.vertices[1].z(), 8.3);
+  EXPECT_FALSE(data.crs_wkt.empty());
+  ASSERT_EQ(data.warnings.size(), 1U);
+  EXPECT_THAT(data.warnings[0],
+              testing::AllOf(HasSubstr("columns 1 to 3 are the latitude and 4 to 6 the longitude"),
+                             HasSubstr("lon=1,lat=4,z=7")));
+  SoundingsOptions chosen;
+  chosen.columns = "lon=1,lat=4,z=7";
+  const SurfaceData other = read_soundings(write("dms.xyz", rows), chosen);
+  EXPECT_NEAR(other.vertices[0].x(), data.vertices[0].y(), 1e-12);
+  EXPECT_NEAR(other.vertices[0].y(), data.vertices[0].x(), 1e-12);
+  EXPECT_TRUE(other.warnings.empty());
+  const SurfaceData minutes = read_soundings(
+      write("dm.xyz", "33;51,2;18;25,5;8,0\n33;51,3;18;25,5;8,3\n33;51,2;18;25,6;8,6\n"));
+  EXPECT_NEAR(minutes.vertices[0].y(), 33.0 + 51.2 / 60.0, 1e-9);
+  EXPECT_THAT(
+      refusal([&] { return read_soundings(write("short.xyz", rows + "33 51 12 -18 25 8.0\n")); }),
+      HasSubstr("line 4"));
+}
+
+TEST_F(SoundingsImport, ADateBeforeThreeColumnsIsPassedOver) {
+  const SurfaceData metres =
+      read_soundings(write("log.txt",
+                           "2010 1 13 500000.5 4000000 -8.0\n2010 1 13 500010.5 4000000 -8.3\n"
+                           "2010 1 14 500000.5 4000010 -8.6\n"));
+  ASSERT_EQ(metres.vertices.size(), 3U);
+  EXPECT_EQ(metres.vertices[0], Vec3(500000.5, 4000000.0, -8.0));
+  EXPECT_TRUE(metres.crs_wkt.empty());
+  EXPECT_TRUE(metres.warnings.empty());
+  const SurfaceData degrees =
+      read_soundings(write("log.txt",
+                           "2010 1 13 7 0 0 -37.0 -73.5 -8.0\n2010 1 13 7 1 1 -37.0 -73.4 -8.3\n"
+                           "2010 1 14 7 1 1 -37.1 -73.4 -8.3\n"));
+  EXPECT_EQ(degrees.vertices[0], Vec3(-73.5, -37.0, -8.0));
+  EXPECT_FALSE(degrees.crs_wkt.empty());
+  ASSERT_EQ(degrees.warnings.size(), 1U);
+  EXPECT_THAT(degrees.warnings[0],
+              testing::AllOf(HasSubstr("latitude and longitude"), HasSubstr("lon=7,lat=8,z=9")));
 }
 
 }  // namespace

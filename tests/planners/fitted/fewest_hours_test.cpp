@@ -122,5 +122,23 @@ TEST(FewestHours, AWatcherThatNeverEndsTheSearchChangesNothing) {
   EXPECT_GT(watcher.count, 10U);
 }
 
+TEST(FewestHours, AFarTooShortLimitIsKeptByAPartOfAPlan) {
+  TestSite site(flat(120.0, 80.0, 8.0));
+  const RayScene scene(site.seafloor, Nodata::wall);
+  site.ground.scene = &scene;
+  PlanOptions options = survey_options();
+  options.goal.length_m = 150.0;
+  const Plan plan = plan_fewest_hours(site.ground, options);
+  EXPECT_EQ(fault(plan.route), std::nullopt);
+  EXPECT_LE(length_m(plan.route), 150.0);
+  EXPECT_GT(length_m(plan.route), 75.0);
+  EXPECT_EQ(plan.chosen_why, "the most coverage within 150 m of path");
+  options.goal = {};
+  options.goal.time_s = 60.0;
+  const Plan timed = plan_fewest_hours(site.ground, options);
+  EXPECT_LE(timed.choices.at(timed.chosen).duration_s, 60.0);
+  EXPECT_GT(timed.choices[timed.chosen].cover_pct, 5.0);
+}
+
 }  // namespace
 }  // namespace swathplan
