@@ -19,8 +19,8 @@ struct ChartFeature {
 };
 using ChartLayers = std::map<std::string, std::vector<ChartFeature>>;
 
-inline void add_chart_layer(GDALDataset& file, OGRSpatialReference& crs,
-                            const std::string& name, const std::vector<ChartFeature>& features) {
+inline void add_chart_layer(GDALDataset& file, OGRSpatialReference& crs, const std::string& name,
+                            const std::vector<ChartFeature>& features) {
   OGRLayer* layer = file.CreateLayer(name.c_str(), &crs, wkbUnknown, nullptr);
   ASSERT_TRUE(layer != nullptr);
   for (const ChartFeature& f : features) {

@@ -147,7 +147,8 @@ double logged_pct(const test::Run& run) {
 TEST(Export, ScoredAgainWithItsLegTableItIsThePlan) {
   const Folder folder;
   ASSERT_EQ(folder.run("synth tilted -o floor.tif").code, 0);
-  const std::string how = " --crs EPSG:32633 --resolution 0.5 --turn-radius 4 --hit-only --json ";
+  const std::string how =
+      " --profile survey --crs EPSG:32633 --resolution 1 --turn-radius 4 --hit-only --json ";
   const double plan =
       logged_pct(folder.run("plan floor.tif --export rtz,plan,waypoints,lnw -o out" + how));
   ASSERT_GT(plan, 80.0);

@@ -10,8 +10,8 @@
 
 namespace swathplan {
 
-/// What a leg is for: a `patch` line is sailed to calibrate the sonar, `end` marks the last waypoint
-/// only.
+/// What a leg is for: a `patch` line is sailed to calibrate the sonar, `end` marks the last
+/// waypoint only.
 enum class LegKind { line, turn, transit, cross, infill, patch, run_in, run_out, end };
 /// True for kinds that are there to sound the ground: line, cross, infill and patch.
 [[nodiscard]] bool is_survey(LegKind kind);

@@ -45,8 +45,8 @@ std::string read_text(const std::filesystem::path& path) {
         fmt::format("cannot read '{}': check the name and the permissions", path.string()));
   }
   std::string text = std::filesystem::is_regular_file(path, error)
-                               ? std::string{std::istreambuf_iterator<char>(in), {}}
-                               : streamed(in, path);
+                         ? std::string{std::istreambuf_iterator<char>(in), {}}
+                         : streamed(in, path);
   if (trim(text).empty()) throw InvalidInput(fmt::format("'{}' is empty", path.string()));
   if (text.find('\0') != std::string::npos) {
     throw InvalidInput(fmt::format("'{}' is not a text file", path.string()));

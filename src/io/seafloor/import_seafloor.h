@@ -59,10 +59,10 @@ struct ImportedSeafloor {
 
 /// Reads a triangle mesh (OBJ, PLY, OFF, STL, glTF, COLLADA, ...), a grid (Esri ASCII, GeoTIFF,
 /// BAG, netCDF, S-102, ...), soundings (XYZ, CSV, LAS, points of a vector file) or a chart (S-57)
-/// into the local frame, clipped at the water level. Files packed as .zip, .tar or .gz are read as they are.
-/// Guarantees: (1) the invariants of `Seafloor`; (2) where the file holds doubles and nothing is
-/// reprojected or scaled, `frame.to_file` of a kept vertex gives the file's coordinates exactly;
-/// (3) the local origin is whole file units, and 0 where all coordinates are under 10,000.
+/// into the local frame, clipped at the water level. Files packed as .zip, .tar or .gz are read as
+/// they are. Guarantees: (1) the invariants of `Seafloor`; (2) where the file holds doubles and
+/// nothing is reprojected or scaled, `frame.to_file` of a kept vertex gives the file's coordinates
+/// exactly; (3) the local origin is whole file units, and 0 where all coordinates are under 10,000.
 /// @throws InvalidInput naming the file and what is wrong; UsageError for an option out of range.
 [[nodiscard]] ImportedSeafloor import_seafloor(const std::filesystem::path& path,
                                                const ImportOptions& options = {});

@@ -30,9 +30,9 @@ struct SegmentPlace {
 /// share 0. Coordinates that are not finite give places that are not.
 [[nodiscard]] SegmentPlace nearest_on_segment(const Vec2& a, const Vec2& b, const Vec2& p);
 
-/// The share of the way from a to b at which the segment c-d crosses it, [0, 1); c-d counts in [0, 1)
-/// too, so that a crossing at a corner of a path counts once. Empty where they do not cross, and for
-/// parallels.
+/// The share of the way from a to b at which the segment c-d crosses it, [0, 1); c-d counts in [0,
+/// 1) too, so that a crossing at a corner of a path counts once. Empty where they do not cross, and
+/// for parallels.
 [[nodiscard]] inline std::optional<double> crossing(const Vec2& a, const Vec2& b, const Vec2& c,
                                                     const Vec2& d) {
   const double area = cross(b - a, d - c);

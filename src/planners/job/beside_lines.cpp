@@ -76,6 +76,16 @@ Beside beside(const Path& path, const Vec2& p) {
   return found;
 }
 
+/// Where a chord of a round end cuts the band's side, a step of no length is left at right angles
+/// to it.
+void without_chord_ends(Path& run) {
+  const auto is_step = [](const Vec2& a, const Vec2& b) {
+    return (a - b).norm() < 2.0 * kChordOff;
+  };
+  while (run.size() > 2 && is_step(run[0], run[1])) run.erase(run.begin());
+  while (run.size() > 2 && is_step(run[run.size() - 1], run[run.size() - 2])) run.pop_back();
+}
+
 /// The two sides of a band around the path, without the round ends.
 std::vector<Path> sides_of(const Path& path, double reach) {
   std::vector<Path> sides;
@@ -92,6 +102,7 @@ std::vector<Path> sides_of(const Path& path, double reach) {
       }
       Path run;
       const auto put = [&](int side, double first, double last) {
+        without_chord_ends(run);
         if (side != 0 && run.size() > 1) {
           if (last < first) std::reverse(run.begin(), run.end());
           sides.push_back(run);

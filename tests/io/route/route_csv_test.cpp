@@ -139,8 +139,8 @@ TEST(RouteCsv, TakesRoutesWithoutAStatusAndWithAnotherOne) {
 TEST(RouteCsv, ReadsFeetAsTheFrameSays) {
   Frame feet = csv_frame();
   feet.metres_per_unit = 0.3048;
-  const ImportedRoute back =
-      parse_route_csv(kCsvHead + "100,200,45,45\n200,200,45,45\n", "r.csv", feet, {});
+  const ImportedRoute back = parse_route_csv(
+      "x_ft,y_ft,port_deg,stbd_deg\n100,200,45,45\n200,200,45,45\n", "r.csv", feet, {});
   EXPECT_NEAR(length_m(back.route), 30.48, 1e-12);
   const std::string again = route_csv(back.route, feet);
   EXPECT_THAT(again, HasSubstr("line,1,100,200,"));
@@ -241,7 +241,8 @@ TEST(RouteCsv, FeetNeverStandInAColumnOfMetres) {
   const Route back = parse_route_csv(text, "route.csv", feet, {}).route;
   EXPECT_NEAR(back.waypoints[1].position.x(), 30.48, 1e-9);
   // Without a unit it is a coordinate of the file; with another one it is refused.
-  EXPECT_NEAR(parse_route_csv("x,y\n0,0\n100,0\n", "r.csv", feet, {.fan = FanAngles{}})
+  EXPECT_NEAR(parse_route_csv("x,y\n0,0\n100,0\n", "r.csv", feet,
+                              {.fan = FanAngles{Angle::degrees(45.0), Angle::degrees(45.0)}})
                   .route.waypoints[1]
                   .position.x(),
               30.48, 1e-9);
