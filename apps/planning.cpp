@@ -185,7 +185,7 @@ Scorer::Scorer(const Site& site, const Survey& survey, Watch watch)
       survey_(&survey),
       scene_(site.seafloor(), survey.scoring.nodata),
       ground_(site.ground(&scene_)),
-      watch_(std::move(watch)) {
+      watch_(watch) {
   // A site that cannot be scored is refused before any planner works for it.
   static_cast<void>(grid_size(site.survey_area, survey.scoring.resolution_m));
   check_scale(site, survey);

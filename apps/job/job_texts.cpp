@@ -17,7 +17,7 @@ double in_hours(double seconds) { return seconds / 3600.0; }
 std::string clock_text(double seconds, bool by_daylight) {
   const auto minutes = static_cast<long>(std::floor(seconds / 60.0 + 1e-6));
   if (!by_daylight) return fmt::format("+{}:{:02}", minutes / 60, minutes % 60);
-  constexpr long kDay = 24 * 60;
+  constexpr long kDay = 24L * 60L;
   return fmt::format("day {}, {:02}:{:02}", 1 + minutes / kDay, minutes % kDay / 60, minutes % 60);
 }
 

@@ -12,7 +12,10 @@ enum Heading : std::uint8_t { kEast, kNorth, kWest, kSouth };
 
 struct Corner {
   std::uint32_t column, row;
-  auto operator<=>(const Corner&) const = default;
+  bool operator==(const Corner&) const = default;
+  bool operator<(const Corner& other) const {
+    return column != other.column ? column < other.column : row < other.row;
+  }
 };
 
 // A side of cells, with the cells at its left.

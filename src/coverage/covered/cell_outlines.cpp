@@ -79,8 +79,9 @@ class OutlineWalker {
 
   [[nodiscard]] Vec2 place(std::size_t corner) const {
     const std::size_t width = lattice_.columns + 1;
-    return lattice_.origin + lattice_.cell_m * Vec2(static_cast<double>(corner % width),
-                                                    static_cast<double>(corner / width));
+    const std::size_t row = corner / width;
+    return lattice_.origin +
+           lattice_.cell_m * Vec2(static_cast<double>(corner % width), static_cast<double>(row));
   }
 
   const std::vector<std::uint8_t>& marked_;

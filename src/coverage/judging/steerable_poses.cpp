@@ -58,8 +58,9 @@ std::size_t SteerablePoses::place(const Vec2& p) const {
 
 // Whether one of three moves leads to a pose that goes on.
 bool SteerablePoses::goes_on(std::size_t from, int course) const {
+  const std::size_t row = from / columns_;
   const Vec2 p = origin_ + cell_ * Vec2(static_cast<double>(from % columns_) + 0.5,
-                                        static_cast<double>(from / columns_) + 0.5);
+                                        static_cast<double>(row) + 0.5);
   constexpr int kTurns[] = {0, 1, -1};
   return std::any_of(std::begin(kTurns), std::end(kTurns), [&](int turn) {
     const Vec2 way = step_ * course_vector(course + 0.5 * turn);
