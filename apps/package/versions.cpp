@@ -36,7 +36,7 @@ std::string embree_version() {
   const auto part = [&](RTCDeviceProperty property) {
     return static_cast<int>(rtcGetDeviceProperty(device, property));
   };
-  const std::string version =
+  std::string version =
       dotted(part(RTC_DEVICE_PROPERTY_VERSION_MAJOR), part(RTC_DEVICE_PROPERTY_VERSION_MINOR),
              part(RTC_DEVICE_PROPERTY_VERSION_PATCH));
   rtcReleaseDevice(device);

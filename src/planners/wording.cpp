@@ -17,12 +17,12 @@ int axis_degrees(double azimuth_deg) {
 }
 
 std::string azimuth_text(double grid_azimuth_deg, double grid_north_deg) {
-  constexpr double kNone = 0.05;  // degrees that nobody steers by
+  constexpr double kUnsteered = 0.05;  // degrees that nobody steers by
   const auto axis = [](double deg) {
     const double tenths = std::round(10.0 * (std::fmod(deg, 180.0) + 180.0)) / 10.0;
     return std::fmod(tenths, 180.0);
   };
-  if (std::abs(grid_north_deg) < kNone) {
+  if (std::abs(grid_north_deg) < kUnsteered) {
     return fmt::format("{} degrees", axis_degrees(grid_azimuth_deg));
   }
   return fmt::format("{:g} degrees true ({:g} of the grid)",

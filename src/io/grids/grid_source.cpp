@@ -52,11 +52,11 @@ std::shared_ptr<const std::string> without_mark(const fs::path& path) {
   std::ifstream(path, std::ios::binary)
       .read(head.data(), static_cast<std::streamsize>(head.size()));
   if (head != kByteOrderMark) return nullptr;
-  const std::shared_ptr<const std::string> folder(new std::string("/vsimem/swathplan-without-mark"),
-                                                  [](const std::string* f) {
-                                                    VSIRmdirRecursive(f->c_str());
-                                                    delete f;
-                                                  });
+  std::shared_ptr<const std::string> folder(new std::string("/vsimem/swathplan-without-mark"),
+                                            [](const std::string* f) {
+                                              VSIRmdirRecursive(f->c_str());
+                                              delete f;
+                                            });
   const std::string text = bytes_of(path);
   copy_to_memory(*folder + "/" + path.filename().string(),
                  std::string_view(text).substr(kByteOrderMark.size()));

@@ -48,7 +48,7 @@ std::optional<std::string> file_date(const fs::path& path) {
   const QuietGdal quiet;
   register_gdal();
   const std::string own = is_chart(path) ? issue_of_cell(path) : date_of_tiff(path);
-  if (const auto stated = last_date_in(own)) return stated;
+  if (auto stated = last_date_in(own)) return stated;
   return last_date_in(path.filename().string());
 }
 

@@ -68,7 +68,8 @@ ResidualRiskMap residual_risk(std::span<const SurveyTrack> tracks, const Detecti
       if (p <= 0.0) continue;
       for (int r = 0; r < map.rows; ++r) {
         const double noisy = o.scatter > 0.0 ? p * (1.0 + o.scatter * numbers.normal()) : p;
-        const auto cell = static_cast<std::size_t>(r * map.columns + c);
+        const auto cell = static_cast<std::size_t>(r) * static_cast<std::size_t>(map.columns) +
+                          static_cast<std::size_t>(c);
         // A look never gives certainty. The risk 1 is kept for cells without data.
         map.risk[cell] *= 1.0 - std::clamp(noisy, 1e-6, 1.0 - 1e-6);
       }

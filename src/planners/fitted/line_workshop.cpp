@@ -39,9 +39,9 @@ double LineWorkshop::mean_ping_spacing_m() const {
 
 double LineWorkshop::price() {
   // Candidates open their fans a little wider than gap-free, so the least length is for such fans.
-  constexpr double kGap = 1.2;
+  constexpr double kWiderThanGapFree = 1.2;
   const double ideal = area_m2(ground_.survey_area) / footprint_width_m(options_);
-  return worth_per_ratio(least_line_m(raster_, width(kGap)) / ideal);
+  return worth_per_ratio(least_line_m(raster_, width(kWiderThanGapFree)) / ideal);
 }
 
 LineEnds ends_of(const std::vector<Waypoint>& line) {

@@ -54,7 +54,8 @@ class FastMarching {
     return accepted(b) < accepted(a) ? b : a;
   }
   [[nodiscard]] float accepted(std::size_t i) const {
-    return accepted_[i] != 0 ? front_.u[i] : kFar;
+    if (accepted_[i] == 0) return kFar;
+    return front_.u[i];
   }
 
   void update(std::size_t i) {

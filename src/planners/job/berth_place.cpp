@@ -12,10 +12,10 @@ constexpr double kInside = 0.1;
 
 /// The place of the water nearest to p, a little inside it.
 Vec2 nearest_inside(const Vec2& p, const AreaQuery& water) {
-  const Vec2 edge = water.nearest_on_outline(p);
+  Vec2 edge = water.nearest_on_outline(p);
   const Vec2 way = edge - p;
   if (!(way.norm() > 0.0)) return edge;
-  const Vec2 inside = edge + kInside * way.normalized();
+  Vec2 inside = edge + kInside * way.normalized();
   return water.contains(inside) ? inside : edge;
 }
 

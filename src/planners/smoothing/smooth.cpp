@@ -203,9 +203,9 @@ ArcPath with_arcs(const std::vector<Vec2>& path, double step_deg) {
     const double turn = turn_angle(in, out);
     const double reach = 0.5 * std::min(in.norm(), out.norm());
     const double tangent = std::tan(0.5 * std::abs(turn));
-    constexpr double kStraight = 1e-9;
+    constexpr double kNoTangent = 1e-9;
     constexpr double kBack = 1e6;
-    if (!(tangent > kStraight && tangent < kBack)) {
+    if (!(tangent > kNoTangent && tangent < kBack)) {
       add(path[i], i);
       continue;
     }
