@@ -7,6 +7,7 @@
 #include "apps/exports.h"
 #include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
+#include "apps/site_command.h"
 #include "apps/watch/terminal_watch.h"
 #include "io/files/atomic_file.h"
 #include "io/results/score_json.h"
@@ -15,12 +16,7 @@
 namespace swathplan {
 namespace {
 
-struct CompareCommand {
-  SiteOptions site;
-  CoveredChoice covered;
-  WaterChoice water;
-  SurveyOptions survey;
-  OutputOptions output;
+struct CompareCommand : SiteCommand {
   ExportChoice exports;
   std::vector<std::string> planners;
 };
@@ -33,11 +29,8 @@ OptionTable own_options(CompareCommand& command) {
 
 Provenance provenance_of(const CompareCommand& command, const Survey& survey,
                          const std::string& input_hash) {
-  Provenance provenance = provenance_of("compare", command.site, input_hash);
+  Provenance provenance = site_provenance("compare", command, survey, input_hash);
   CompareCommand typed = command;
-  record(provenance, covered_options(typed.covered));
-  record(provenance, water_options(typed.water));
-  record_scoring(provenance, typed.survey, survey);
   record(provenance, own_options(typed));
   record_planning(provenance, typed.survey, survey);
   record(provenance, exporting_options(typed.exports));
@@ -61,12 +54,9 @@ void run(const CompareCommand& command) {
   const Survey how = survey_of(command.survey);
   const ExportOptions exports = export_options(command.exports);
   TerminalWatch watch(command.output.quiet, command.output.folder);
-  const auto site = load_site(command.site, how.vehicle, Watch(watch));
+  const auto site = site_of(command, how, watch);
   check_export_crs(exports.formats, site->seafloor().frame);
-  take_tide(*site, command.water, command.site);
-  take_off_covered(*site, command.covered, how, command.site.layers);
   note_reach(*site, how);
-  watch.rest();
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
   const Provenance provenance = provenance_of(command, how, site->imported.input_hash);
@@ -142,10 +132,9 @@ Command compare_command() {
   }
   return {"compare",
           "Plan with several planners: one table, one report",
-          joined({site_options(command->site), covered_options(command->covered),
-                  water_options(command->water), scoring_options(command->survey),
-                  own_options(*command), planning_options(command->survey.planning),
-                  exporting_options(command->exports), output_options(command->output)}),
+          joined({site_rows(*command), scoring_options(command->survey), own_options(*command),
+                  planning_options(command->survey.planning), exporting_options(command->exports),
+                  output_options(command->output)}),
           [command] { run(*command); },
           {}};
 }

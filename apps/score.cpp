@@ -5,6 +5,7 @@
 #include "apps/commands.h"
 #include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
+#include "apps/site_command.h"
 #include "apps/watch/terminal_watch.h"
 #include "coverage/route/leg_table.h"
 #include "io/results/score_json.h"
@@ -16,12 +17,7 @@
 namespace swathplan {
 namespace {
 
-struct ScoreCommand {
-  SiteOptions site;
-  CoveredChoice covered;
-  WaterChoice water;
-  SurveyOptions survey;
-  OutputOptions output;
+struct ScoreCommand : SiteCommand {
   std::filesystem::path route;
   std::filesystem::path legs;
   std::optional<double> opening_deg;
@@ -46,26 +42,16 @@ OptionTable own_options(ScoreCommand& command) {
 
 Provenance provenance_of(const ScoreCommand& command, const Survey& survey,
                          const std::string& input_hash) {
-  Provenance provenance = provenance_of("score", command.site, input_hash);
+  Provenance provenance = site_provenance("score", command, survey, input_hash);
   ScoreCommand typed = command;
-  record(provenance, covered_options(typed.covered));
-  record(provenance, water_options(typed.water));
-  record_scoring(provenance, typed.survey, survey);
   record(provenance, own_options(typed));
   return provenance;
 }
 
-/// The fan for routes that give none: that of --opening-angle, else the widest at the mean depth or
-/// the one that sweeps W there.
+/// The fan for routes that give none.
 FanAngles default_fan(const ScoreCommand& command, const Survey& survey, const Site& site) {
-  if (command.opening_deg) {
-    const double opening = *command.opening_deg;
-    return {Angle::degrees(opening / 2.0), Angle::degrees(opening / 2.0)};
-  }
-  const double mean = depth_range(site.seafloor()).mean;
-  if (survey.planning.rows.swath_by == SwathBy::footprint)
-    return fan_for_depth(survey.planning, mean);
-  const Angle half = widest_half_angle(survey.sonar, std::max(0.0, mean - survey.vehicle.draft_m));
+  if (!command.opening_deg) return fan_where_none(survey, site);
+  const Angle half = Angle::degrees(*command.opening_deg / 2.0);
   return {half, half};
 }
 
@@ -112,10 +98,7 @@ void run(const ScoreCommand& command) {
   const Survey survey = survey_of(command.survey);
   const Vehicle& vehicle = survey.vehicle;
   TerminalWatch watch(command.output.quiet, command.output.folder);
-  const auto site = load_site(command.site, vehicle, Watch(watch));
-  watch.rest();
-  take_tide(*site, command.water, command.site);
-  take_off_covered(*site, command.covered, survey, command.site.layers);
+  const auto site = site_of(command, survey, watch);
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
   const Provenance provenance = provenance_of(command, survey, site->imported.input_hash);
@@ -184,9 +167,7 @@ Command score_command() {
   return {
       "score",
       "Score any route: of this program, of an autopilot, chart system or survey package",
-      joined({site_options(command->site),
-              covered_options(command->covered),
-              water_options(command->water),
+      joined({site_rows(*command),
               {argument(
                   "ROUTE", command->route,
                   "route.csv or another CSV, GeoJSON, .plan, .waypoints, GPX, KML, RTZ, LNW, RLN, "

@@ -10,6 +10,7 @@
 #include "apps/job/job_texts.h"
 #include "apps/outlets/whole_folder.h"
 #include "apps/outputs.h"
+#include "apps/site_command.h"
 #include "apps/watch/terminal_watch.h"
 #include "io/results/score_json.h"
 #include "io/route/read_route.h"
@@ -19,12 +20,7 @@
 namespace swathplan {
 namespace {
 
-struct PlanCommand {
-  SiteOptions site;
-  CoveredChoice covered;
-  WaterChoice water;
-  SurveyOptions survey;
-  OutputOptions output;
+struct PlanCommand : SiteCommand {
   ExportChoice exports;
   JobChoice job;
   std::string planner = "fitted-lines";
@@ -40,11 +36,8 @@ OptionTable own_options(PlanCommand& command) {
 
 Provenance provenance_of(const PlanCommand& command, const Survey& survey,
                          const std::string& input_hash) {
-  Provenance provenance = provenance_of("plan", command.site, input_hash);
+  Provenance provenance = site_provenance("plan", command, survey, input_hash);
   PlanCommand typed = command;
-  record(provenance, covered_options(typed.covered));
-  record(provenance, water_options(typed.water));
-  record_scoring(provenance, typed.survey, survey);
   record(provenance, own_options(typed));
   record_planning(provenance, typed.survey, survey);
   record(provenance, job_options(typed.job));
@@ -58,22 +51,12 @@ struct MainScheme {
   std::string name, label;
 };
 
-/// The fan of a route that holds none: as wide as the sonar sees at the mean depth, or W there.
-FanAngles fan_of_old(const Survey& survey, const Site& site) {
-  const double mean = depth_range(site.seafloor()).mean;
-  if (survey.planning.rows.swath_by == SwathBy::footprint) {
-    return fan_for_depth(survey.planning, mean);
-  }
-  const Angle half = widest_half_angle(survey.sonar, std::max(0.0, mean - survey.vehicle.draft_m));
-  return {half, half};
-}
-
 /// The lines of a route that was made before.
 MainScheme kept_lines(const PlanCommand& command, const Site& site, const Survey& survey) {
   const std::filesystem::path& file = command.job.keep;
   ImportedRoute route =
       read_route(file, site.seafloor().frame,
-                 {.fan = fan_of_old(survey, site), .speed_mps = survey.vehicle.speed_mps});
+                 {.fan = fan_where_none(survey, site), .speed_mps = survey.vehicle.speed_mps});
   check_meets_data(route.route, site, file);
   MainScheme kept{{}, "kept", file.filename().string()};
   kept.plan.route = std::move(route.route);
@@ -195,12 +178,9 @@ void run(const PlanCommand& command) {
       job_request(command.job, command.survey.planning.spacing_m, survey.vehicle);
   const ExportOptions exports = export_options(command.exports);
   TerminalWatch watch(command.output.quiet, command.output.folder);
-  const auto site = load_site(command.site, survey.vehicle, Watch(watch));
+  const auto site = site_of(command, survey, watch);
   check_export_crs(exports.formats, site->seafloor().frame);
-  take_tide(*site, command.water, command.site);
-  take_off_covered(*site, command.covered, survey, command.site.layers);
   note_reach(*site, survey);
-  watch.rest();
   print_notes(*site, command.output.quiet);
   check_folder(command.output.folder);
   const Provenance provenance = provenance_of(command, survey, site->imported.input_hash);
@@ -253,8 +233,7 @@ Command plan_command() {
   auto command = std::make_shared<PlanCommand>();
   return {"plan",
           "Plan a survey with one planner: route, score, report",
-          joined({site_options(command->site), covered_options(command->covered),
-                  water_options(command->water), scoring_options(command->survey),
+          joined({site_rows(*command), scoring_options(command->survey),
                   criteria_options(command->survey.criteria), own_options(*command),
                   rows_of_planning(command->survey.planning), job_options(command->job),
                   exporting_options(command->exports), output_options(command->output)}),
