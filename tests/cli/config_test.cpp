@@ -84,7 +84,7 @@ TEST(Config, RefusalsAreOneSentence) {
 
 TEST(Lines, OptionsAreRecordedAndReadAgain) {
   const test::Folder folder;
-  ASSERT_EQ(folder.run("synth flat --width 300 --height 200 -o flat.asc").code, 0);
+  ASSERT_EQ(folder.run("synth flat --width 120 --height 80 -o flat.asc").code, 0);
   const auto first = folder.run(
       "lines flat.asc --method straight --water-level 0.5 --margin 0.7 --missed 1 --quiet -o out");
   ASSERT_EQ(first.code, 0) << first.err;

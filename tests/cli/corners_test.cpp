@@ -34,13 +34,13 @@ TEST(Corners, AGivenRouteIsToldHowManyItHas) {
 TEST(Corners, NoPlannerLeavesAnyWhereItsJoinsCanBeSteered) {
   const test::Folder folder;
   ASSERT_EQ(folder
-                .run("synth stepped --width 160 --height 120 --depth 8 --depth-east 16 -o "
+                .run("synth stepped --width 120 --height 90 --depth 8 --depth-east 16 -o "
                      "step.obj")
                 .code,
             0);
   const auto run = folder.run(
       "compare step.obj --planners "
-      "back-and-forth,multi-depth,nuc,mdnuc,edge-following --resolution 1 "
+      "back-and-forth,multi-depth,nuc,mdnuc,edge-following --resolution 2 "
       "--crs EPSG:32630 --profile survey --hit-only --quiet --export waypoints -o "
       "out");
   ASSERT_EQ(run.code, 0) << run.err;
@@ -51,7 +51,7 @@ TEST(Corners, NoPlannerLeavesAnyWhereItsJoinsCanBeSteered) {
     EXPECT_EQ(score.at("sharp_corners"), 0);
     // What an autopilot is given is thinned by a decimetre. That makes no corner of a curve.
     const auto again = folder.run("score step.obj out/" + planner +
-                                  "/route.waypoints --crs EPSG:32630 --resolution 1 --profile "
+                                  "/route.waypoints --crs EPSG:32630 --resolution 2 --profile "
                                   "survey --hit-only --quiet -o again");
     ASSERT_EQ(again.code, 0) << again.err;
     EXPECT_EQ(test::json_of(folder / "again" / "score.json").at("sharp_corners"), 0);

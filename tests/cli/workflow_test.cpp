@@ -202,7 +202,7 @@ TEST(Compare, NucAndMdnucWalkQuadsOnRequest) {
 TEST(Lines, WriteARouteAPictureAndFiguresThatAgree) {
   const Folder folder;
   ASSERT_EQ(
-      folder.run("synth tilted --width 600 --height 400 --depth 20 --slope 2 -o slope.asc").code,
+      folder.run("synth tilted --width 300 --height 200 --depth 20 --slope 2 -o slope.asc").code,
       0);
   const auto run = folder.run(
       "lines slope.asc --method straight,edge-following --draft 0 --clearance 0.05 -o out");

@@ -23,5 +23,5 @@ if grep -q "$(dirname "$(dirname "$build")")/" "$program"; then
   echo "the program names a path of its source" >&2
   exit 1
 fi
-"$program" demo --quiet -o unpacked/demo
+"$program" demo --planners back-and-forth --quiet -o unpacked/demo
 grep -q '<script' unpacked/demo/report.html

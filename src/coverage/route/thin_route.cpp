@@ -1,5 +1,10 @@
 #include "coverage/route/thin_route.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "coverage/route/bends.h"
+#include "mesh/base/angle.h"
 #include "mesh/plane/path_thinning.h"
 
 namespace swathplan {
@@ -22,6 +27,27 @@ StraightRule stays_in(const AreaQuery& water, const std::vector<Vec2>& path) {
   };
 }
 
+/// Keeps the points beside those that thinning made corners between long straights, so that a short
+/// curve stays one. False if there is none.
+bool keep_curves(const std::vector<Vec2>& path, const std::vector<std::size_t>& kept,
+                 std::vector<bool>& keep) {
+  bool changed = false;
+  const auto keep_one = [&](std::size_t i, std::size_t beside) {
+    if (i == beside || keep[i]) return;
+    keep[i] = true;
+    changed = true;
+  };
+  for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
+    const std::size_t i = kept[k];
+    const CourseChange change = course_change(path[kept[k - 1]], path[i], path[kept[k + 1]]);
+    if (std::abs(change.angle_rad) <= Angle::degrees(kCornerDeg).rad()) continue;
+    if (std::min(change.before_m, change.after_m) <= kLongestChordM) continue;
+    keep_one(i - 1, kept[k - 1]);
+    keep_one(i + 1, kept[k + 1]);
+  }
+  return changed;
+}
+
 }  // namespace
 
 ThinnedRoute thin_route(const Route& route, double tolerance_m, const AreaQuery* water) {
@@ -33,8 +59,11 @@ ThinnedRoute thin_route(const Route& route, double tolerance_m, const AreaQuery*
     keep[i] = i > 0 && w[i].speed_mps != w[i - 1].speed_mps;
   }
   for (const Leg& leg : legs(route)) keep[leg.first] = true;
-  const ThinnedPath thinned = thin_path(path, keep, tolerance_m,
-                                        water != nullptr ? stays_in(*water, path) : StraightRule());
+  const StraightRule rule = water != nullptr ? stays_in(*water, path) : StraightRule();
+  ThinnedPath thinned = thin_path(path, keep, tolerance_m, rule);
+  while (keep_curves(path, thinned.kept, keep)) {
+    thinned = thin_path(path, keep, tolerance_m, rule);
+  }
   ThinnedRoute result{{}, thinned.largest_distance_m};
   for (const std::size_t i : thinned.kept) result.route.waypoints.push_back(w[i]);
   return result;

@@ -16,7 +16,8 @@ struct ThinnedRoute {
 /// lost.
 /// Guarantees: (1) largest_distance_m <= tolerance_m; (2) the waypoints are some of the route's, in
 /// its order; (3) legs(...) of both begin and end at the same waypoints; (4) with `water`, a
-/// segment that replaces several runs outside it no more than a millimetre longer than they do.
+/// segment that replaces several runs outside it no more than a millimetre longer than they do;
+/// (5) no curve between long straights becomes a corner (is_corner).
 [[nodiscard]] ThinnedRoute thin_route(const Route& route, double tolerance_m,
                                       const AreaQuery* water = nullptr);
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "coverage/route/bends.h"
 #include "coverage/scenes.h"
 
 namespace swathplan {
@@ -54,6 +55,27 @@ TEST(ThinRoute, KeepsEndsOfLegsAndChangesOfSpeed) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_EQ(route.waypoints[all[i].first].position, w[kept[i].first].position) << i;
     EXPECT_EQ(route.waypoints[all[i].last].position, w[kept[i].last].position) << i;
+  }
+}
+
+TEST(ThinRoute, AShortCurveBetweenStraightsBecomesNoCorner) {
+  // 20 degrees to port within half a metre: one waypoint would lie 2 cm off the curve.
+  const double radius = 1.5;
+  const double turn = 20.0 * 3.14159265358979 / 180.0;
+  std::vector<Vec2> points{{-60.0, 0.0}, {-30.0, 0.0}};
+  for (int i = 0; i <= 10; ++i) {
+    const double a = 0.1 * i * turn;
+    points.emplace_back(radius * std::sin(a), radius * (1.0 - std::cos(a)));
+  }
+  for (const double on : {30.0, 60.0}) {
+    points.push_back(points[12] + on * Vec2(std::cos(turn), std::sin(turn)));
+  }
+  const ThinnedRoute thinned = thin_route(testing::route_through(points, kThinFan), 0.1);
+  const auto& w = thinned.route.waypoints;
+  ASSERT_LT(w.size(), 8U);
+  for (std::size_t i = 1; i + 1 < w.size(); ++i) {
+    EXPECT_FALSE(
+        is_corner(course_change(w[i - 1].position, w[i].position, w[i + 1].position), radius));
   }
 }
 

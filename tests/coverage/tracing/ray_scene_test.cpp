@@ -141,7 +141,7 @@ void compare_with_oracle(const Vec2& at) {
   std::mt19937 random(3);
   const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
   int compared = 0;
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     const Vec3 o(at.x() + 13 * uniform(), at.y() + 13 * uniform(), -4.0 - 6.0 * uniform());
     const Eigen::Vector3f df = direction(360 * uniform(), 85 * uniform());
     const Vec3 d = df.cast<double>().normalized();
@@ -157,7 +157,7 @@ void compare_with_oracle(const Vec2& at) {
     ++compared;
     EXPECT_NEAR(trace_one(scene, o, df).range_m, expected, 2e-3) << i;
   }
-  EXPECT_GT(compared, 3000);
+  EXPECT_GT(compared, 750);
 }
 
 TEST(RayScene, AgreesWithALoopOverAllTriangles) { compare_with_oracle({0, 0}); }
