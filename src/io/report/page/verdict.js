@@ -69,8 +69,19 @@ function compareRow(p, i) {
 }
 if (plans.length > 1) {
   const counted = plans[0].counted === 'logged' ? 'logged' : 'covered';
-  $('compare').append(table('Hours, length and coverage of each plan', ['Plan', 'Hours', '× least', 'Length', counted, '5 soundings', 'Turns',
-    'Warnings', ...(plans.some((q) => q.criterion) ? ['Predicted'] : [])].map((name) => headCell(name)), plans.map(compareRow)));
+  const names = ['Plan', 'Hours', '× least', 'Length', counted, '5 soundings', 'Turns', 'Warnings',
+    ...(plans.some((q) => q.criterion) ? ['Predicted'] : [])];
+  const compared = table('Hours, length and coverage of each plan', names.map((name) => headCell(name)), plans.map(compareRow));
+  // A phone shows each row as a block whose figures carry their names. It stays a table to a screen reader.
+  compared.setAttribute('role', 'table');
+  for (const row of compared.querySelectorAll('tr')) {
+    row.setAttribute('role', 'row');
+    [...row.cells].forEach((c, i) => {
+      c.setAttribute('role', c.tagName === 'TD' ? 'cell' : c.scope === 'col' ? 'columnheader' : 'rowheader');
+      c.dataset.name = names[i];
+    });
+  }
+  $('compare').append(compared);
   plans.forEach((p, i) => {
     p.tab = element('button', {type: 'button', onclick: () => choose(i)}, p.name);
     $('tabs').append(p.tab);
