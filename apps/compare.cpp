@@ -37,90 +37,122 @@ Provenance provenance_of(const CompareCommand& command, const Survey& survey,
   return provenance;
 }
 
-/// A planner that finds no plan is left out, and the others go on; it is an error only if no
-/// planner is left. A note of every plan says so, also of plans that were made before.
-void leave_out(const Planner& planner, const InvalidInput& why, Site& site,
-               std::vector<PlannedSurvey>& surveys, bool none_left) {
-  if (none_left) throw why;
-  site.notes.push_back(fmt::format("{} is left out: {}", planner.label, in_flags(why)));
-  for (PlannedSurvey& survey : surveys) survey.record.notes.push_back(site.notes.back());
-  fmt::print(stderr, "warning: {}\n", site.notes.back());
-}
+/// The plans of one command, written as they come.
+class Comparison {
+ public:
+  Comparison(const CompareCommand& command, const Survey& how, TerminalWatch& watch)
+      : command_(command),
+        how_(how),
+        exports_(export_options(command.exports)),
+        watch_(watch),
+        site_(site_of(command, how, watch)),
+        folder_(command.output.folder) {
+    check_export_crs(exports_.formats, site_->seafloor().frame);
+    note_reach(*site_, how_);
+    print_notes(*site_, command_.output.quiet);
+    check_folder(folder_);
+    provenance_ = provenance_of(command_, how_, site_->imported.input_hash);
+    // If this run is stopped early, the page of an older run must not stand beside the new results.
+    remove_old(folder_, {"compare.json", "report.html"});
+    write_survey_toml(folder_, provenance_);
+  }
+
+  void plan_all(const std::vector<const Planner*>& chosen) {
+    const Scorer scorer(*site_, how_, Watch(watch_));
+    watch_.search();
+    for (const Planner* p : chosen) {
+      if (watch_.ended() && !surveys_.empty()) {
+        leave_out(*p, InvalidInput("the search ended early"), false);
+        continue;
+      }
+      // The last planner usually takes longest. If it is stopped, the others still have a page.
+      if (p == chosen.back() && !surveys_.empty()) write_overview();
+      watch_.under(p->label);
+      try {
+        surveys_.push_back(plan_and_score(*p, *site_, how_, scorer));
+      } catch (const InvalidInput& e) {
+        watch_.rest();
+        leave_out(*p, e, surveys_.empty() && p == chosen.back());
+        continue;
+      }
+      write(surveys_.back());
+    }
+    watch_.under({});
+    write_overview();  // with the notes on planners that were left out
+    watch_.rest();
+  }
+
+  void print() const {
+    if (command_.output.json) {
+      fmt::print("{}\n", json_.dump(2));
+    } else if (!command_.output.quiet) {
+      fmt::print("{}report: {}\n", table(surveys_), (folder_ / "report.html").string());
+    }
+  }
+
+ private:
+  /// A planner that finds no plan is left out, and the others go on; it is an error only if no
+  /// planner is left. A note of every plan says so, also of plans that were made before.
+  void leave_out(const Planner& planner, const InvalidInput& why, bool none_left) {
+    if (none_left) throw why;
+    site_->notes.push_back(fmt::format("{} is left out: {}", planner.label, in_flags(why)));
+    for (PlannedSurvey& survey : surveys_) survey.record.notes.push_back(site_->notes.back());
+    fmt::print(stderr, "warning: {}\n", site_->notes.back());
+  }
+
+  /// The folder of one plan.
+  void write(const PlannedSurvey& survey) {
+    const std::filesystem::path own = folder_ / survey.record.planner;
+    WrittenExports exported;
+    watch_.phase("writing results");
+    const auto writing = watch_.writing();
+    write_all_or_none(own, [&](const std::filesystem::path& staging) {
+      write_survey(staging, survey, *site_, provenance_);
+      exported = write_exports(staging, survey.plan.route, *site_, exports_);
+      remove_old_survey(own, *site_);
+    });
+    watch_.rest();
+    json_.push_back(nlohmann::ordered_json::parse(
+        score_json(survey.record.planner, survey.scored.score, provenance_)));
+    print_exports(std::move(exported.files), own, survey.plan.route, command_.output.quiet);
+    if (command_.output.quiet) return;
+    for (const std::string& note : survey.plan.notes) {
+      fmt::print(stderr, "note: {}: {}\n", survey.record.label, note);
+    }
+    fmt::print(stderr, "{}", choices_table(survey.plan));
+  }
+
+  /// What holds the plans so far against each other.
+  void write_overview() {
+    watch_.phase("writing the comparison");
+    const auto writing = watch_.writing();
+    write_all_or_none(folder_, [&](const std::filesystem::path& staging) {
+      write_text_atomically(staging / "compare.json", json_.dump(2) + "\n");
+      write_survey_report(staging / "report.html", command_.site.file.filename().string(), surveys_,
+                          *site_, provenance_);
+    });
+  }
+
+  const CompareCommand& command_;
+  const Survey& how_;
+  ExportOptions exports_;
+  TerminalWatch& watch_;
+  std::unique_ptr<Site> site_;
+  std::filesystem::path folder_;
+  Provenance provenance_;
+  std::vector<PlannedSurvey> surveys_;
+  nlohmann::ordered_json json_ = nlohmann::ordered_json::array();
+};
 
 void run(const CompareCommand& command) {
   std::vector<const Planner*> chosen;
   for (const std::string& name : command.planners) chosen.push_back(&planner(name));
   if (chosen.empty()) throw UsageError("--planners: name at least one planner");
   const Survey how = survey_of(command.survey);
-  const ExportOptions exports = export_options(command.exports);
   TerminalWatch watch(command.output.quiet, command.output.folder);
-  const auto site = site_of(command, how, watch);
-  check_export_crs(exports.formats, site->seafloor().frame);
-  note_reach(*site, how);
-  print_notes(*site, command.output.quiet);
-  check_folder(command.output.folder);
-  const Provenance provenance = provenance_of(command, how, site->imported.input_hash);
-  const std::filesystem::path& folder = command.output.folder;
-  // If this run is stopped early, the page of an older run must not stand beside the new results.
-  remove_old(folder, {"compare.json", "report.html"});
-  write_survey_toml(folder, provenance);
-  std::vector<PlannedSurvey> surveys;
-  auto json = nlohmann::ordered_json::array();
-  const auto write_overview = [&] {
-    watch.phase("writing the comparison");
-    const auto writing = watch.writing();
-    write_all_or_none(folder, [&](const std::filesystem::path& staging) {
-      write_text_atomically(staging / "compare.json", json.dump(2) + "\n");
-      write_survey_report(staging / "report.html", command.site.file.filename().string(), surveys,
-                          *site, provenance);
-    });
-  };
-  {
-    const Scorer scorer(*site, how, Watch(watch));
-    watch.search();
-    for (const Planner* p : chosen) {
-      if (watch.ended() && !surveys.empty()) {
-        leave_out(*p, InvalidInput("the search ended early"), *site, surveys, false);
-        continue;
-      }
-      // The last planner usually takes longest. If it is stopped, the others still have a page.
-      if (p == chosen.back() && !surveys.empty()) write_overview();
-      watch.under(p->label);
-      try {
-        surveys.push_back(plan_and_score(*p, *site, how, scorer));
-      } catch (const InvalidInput& e) {
-        watch.rest();
-        leave_out(*p, e, *site, surveys, surveys.empty() && p == chosen.back());
-        continue;
-      }
-      const PlannedSurvey& survey = surveys.back();
-      const std::filesystem::path own = folder / survey.record.planner;
-      WrittenExports exported;
-      watch.phase("writing results");
-      const auto writing = watch.writing();
-      write_all_or_none(own, [&](const std::filesystem::path& staging) {
-        write_survey(staging, survey, *site, provenance);
-        exported = write_exports(staging, survey.plan.route, *site, exports);
-        remove_old_survey(own, *site);
-      });
-      watch.rest();
-      print_exports(std::move(exported.files), own, survey.plan.route, command.output.quiet);
-      json.push_back(nlohmann::ordered_json::parse(
-          score_json(survey.record.planner, survey.scored.score, provenance)));
-      for (const std::string& note : survey.plan.notes) {
-        if (!command.output.quiet) fmt::print(stderr, "note: {}: {}\n", survey.record.label, note);
-      }
-      if (!command.output.quiet) fmt::print(stderr, "{}", choices_table(survey.plan));
-    }
-  }
-  watch.under({});
-  write_overview();  // with the notes on planners that were left out
-  watch.rest();
-  if (command.output.json) {
-    fmt::print("{}\n", json.dump(2));
-  } else if (!command.output.quiet) {
-    fmt::print("{}report: {}\n", table(surveys), (folder / "report.html").string());
-  }
+  Comparison comparison(command, how, watch);
+  comparison.plan_all(chosen);
+  comparison.print();
 }
 
 }  // namespace
