@@ -55,7 +55,7 @@ class EdgeFollower {
       const SurveyCurve smooth =
           smoothed(resampled(chain, options_.step_m), options_.smooth_passes);
       for (SurveyCurve& piece : cut_to(run_on(smooth), lines_in_)) {
-        if (piece.points.size() < 3) continue;
+        if (piece.points.size() < 3 || length_m(piece) < options_.least_m) continue;
         std::vector<SweptLine> one{swept(piece, ground_)};
         if (one[0].steps() == 0 || !worth_it(one[0])) continue;
         take(one[0], edges);
@@ -127,10 +127,13 @@ namespace {
 std::vector<SurveyCurve> pieces_from(const FieldWall& wall, const SweptGround& swaths,
                                      const LineWorkshop& shop) {
   std::vector<SurveyCurve> lines;
-  for (const SurveyCurve& line : edge_following_lines(swaths, shop.lines_in(), wall,
-                                                      {.margin = shop.options().lines_margin})) {
+  const PlanOptions& how = shop.options();
+  for (const SurveyCurve& line :
+       edge_following_lines(swaths, shop.lines_in(), wall,
+                            {.margin = how.lines_margin, .least_m = how.least_line_m})) {
     for (SurveyCurve& piece : cut_to(splined(line, kFieldParts), shop.lines_in())) {
-      if (piece.points.size() > 2) lines.push_back(std::move(piece));
+      if (piece.points.size() < 3 || length_m(piece) < how.least_line_m) continue;
+      lines.push_back(std::move(piece));
     }
   }
   return lines;

@@ -13,6 +13,7 @@ struct EdgeFollowingOptions {
   int smooth_passes = 60;      ///< of a binomial filter over them
   /// How far lines run on straight at their ends, as a share of W, where they may.
   double run_on = 0.0;
+  double least_m = 0.0;  ///< no line is shorter; what it would have swept is left to others
 };
 
 /// Survey lines edge to edge, as crews steer them today. The first line lies half a swath off the

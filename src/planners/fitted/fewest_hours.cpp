@@ -294,7 +294,8 @@ class HoursSearch {
                              : edge_following_lines(ground, shop_.lines_in(), wall,
                                                     {.margin = 0.0,
                                                      .step_m = std::max(kCurveStep, 0.1 * swath_m_),
-                                                     .smooth_passes = kHoursSmoothing});
+                                                     .smooth_passes = kHoursSmoothing,
+                                                     .least_m = options_.least_line_m});
       curves.insert(curves.end(), lines.begin(), lines.end());
     }
     return curves;

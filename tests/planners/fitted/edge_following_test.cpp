@@ -38,6 +38,39 @@ TEST(EdgeFollowing, LinesMeetTheSwathBeforeThemLessTheMargin) {
   EXPECT_LE(judge_lines(swept(lines, g.swaths), g.swaths).missed, 1e-3);
 }
 
+// A ragged edge cuts the ends off the fronts that reach it.
+TEST(EdgeFollowing, NoLineIsShorterThanTheLeast) {
+  TestSite site(flat(160.0, 100.0, 6.0));
+  Ring ragged{{0, 0}, {160, 0}};
+  for (int tooth = 0; tooth < 10; ++tooth) {
+    ragged.emplace_back(160.0 - 16.0 * tooth, 100.0);
+    ragged.emplace_back(152.0 - 16.0 * tooth, 88.0);
+  }
+  site.ground.survey_area = {{ragged, {}}};
+  site.ground.water = site.ground.survey_area;
+  const RayScene scene(site.seafloor, Nodata::wall);
+  site.ground.scene = &scene;
+  const auto shortest = [&](double least_m) {
+    PlanOptions options;
+    options.resolution_m = 0.5;
+    options.least_line_m = least_m;
+    const Plan plan = plan_edge_following(site.ground, options);
+    const auto& w = plan.route.waypoints;
+    double found = 1e9;
+    for (const Leg& leg : legs(plan.route)) {
+      if (w[leg.first].kind != LegKind::line) continue;
+      double length = 0.0;
+      for (std::size_t i = leg.first; i < leg.last; ++i) {
+        length += (w[i + 1].position - w[i].position).norm();
+      }
+      found = std::min(found, length);
+    }
+    return found;
+  };
+  EXPECT_LT(shortest(0.0), 10.0);
+  EXPECT_GE(shortest(20.0), 19.0) << "its ends may be cut for the turns";
+}
+
 TEST(EdgeFollowing, PlansConfinedWaterInsideIt) {
   TestSite site(stepped(60.0, 40.0, 6.0, 10.0));
   const RayScene scene(site.seafloor, Nodata::wall);
