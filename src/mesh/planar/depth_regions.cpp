@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "mesh/base/error.h"
 #include "mesh/plane/union_find.h"
@@ -182,10 +183,29 @@ DepthRegions depth_regions(const PlanarMesh& mesh, const std::vector<SharedEdge>
 }
 
 Area region_outline(const PlanarMesh& mesh, const DepthRegion& region) {
-  std::vector<Ring> rings;
+  // The union of all faces would take the square of their number.
+  using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
+  std::set<DirectedEdge> edges;
   for (const std::uint32_t f : region.faces) {
+    const auto& corners = mesh.faces[f];
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const DirectedEdge edge(corners[k], corners[(k + 1) % corners.size()]);
+      if (edges.erase({edge.second, edge.first}) == 0) edges.insert(edge);
+    }
+  }
+  // Rings that meet at a corner may be strung together here: the union parts them again.
+  std::vector<Ring> rings;
+  while (!edges.empty()) {
+    const std::uint32_t first = edges.begin()->first;
     Ring ring;
-    for (const std::uint32_t v : mesh.faces[f]) ring.push_back(mesh.vertices[v]);
+    for (auto at = edges.begin(); at != edges.end();) {
+      ring.push_back(mesh.vertices[at->first]);
+      const std::uint32_t next = at->second;
+      edges.erase(at);
+      if (next == first) break;
+      at = edges.lower_bound({next, 0});
+      if (at != edges.end() && at->first != next) break;
+    }
     rings.push_back(std::move(ring));
   }
   return from_rings(rings, true);

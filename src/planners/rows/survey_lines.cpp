@@ -80,13 +80,15 @@ std::vector<SurveyLine> no_shorter_than(double least_m, std::vector<SurveyLine> 
 Angle best_azimuth(const Area& area, double spacing_m) {
   std::vector<double> candidates;
   for (double deg = 0.0; deg < 180.0; deg += kStepDeg) candidates.push_back(deg);
-  const Area coarse = simplify(area, 0.1 * spacing_m);
-  for (const Polygon& polygon : coarse) {
-    for (std::size_t i = 0, j = polygon.outer.size() - 1; i < polygon.outer.size(); j = i++) {
-      const Vec2 d = polygon.outer[i] - polygon.outer[j];
-      if (d.norm() < spacing_m) continue;
-      const double deg = Angle::radians(std::atan2(d.x(), d.y())).deg();
-      candidates.push_back(std::fmod(deg + 360.0, 180.0));
+  // Ring by ring: a region of a chart has thousands of them, and only their edges are asked for.
+  for (const Polygon& whole : area) {
+    for (const Polygon& polygon : simplify({{whole.outer, {}}}, 0.1 * spacing_m)) {
+      for (std::size_t i = 0, j = polygon.outer.size() - 1; i < polygon.outer.size(); j = i++) {
+        const Vec2 d = polygon.outer[i] - polygon.outer[j];
+        if (d.norm() < spacing_m) continue;
+        const double deg = Angle::radians(std::atan2(d.x(), d.y())).deg();
+        candidates.push_back(std::fmod(deg + 360.0, 180.0));
+      }
     }
   }
   double best_width = std::numeric_limits<double>::infinity();
