@@ -10,12 +10,30 @@ out=$(mktemp -d)
 trap 'rm -rf "$out" "$out.cpu"' EXIT
 planners="back-and-forth multi-depth nuc mdnuc fitted-lines"
 
+# used PLANNER OPTIONS...: sets `options` to those that the planner uses; the program refuses others
+used() {
+  local planner=$1
+  shift
+  options=()
+  while (($#)); do
+    case $1:$planner in
+      --depth-bands:multi-depth | --depth-bands:mdnuc | --face-size:nuc | --face-size:mdnuc | \
+        --face-size:multi-depth) options+=("$1" "$2") ;;
+      --depth-bands:* | --face-size:*) ;;
+      *) options+=("$1" "$2") ;;
+    esac
+    shift 2
+  done
+}
+
 # one PLANNER FILE FORMAT OPTIONS...: plans, and prints FORMAT with the score's figures in it
 one() {
   local planner=$1 file=$2 format=$3
   shift 3
+  local options
+  used "$planner" "$@"
   local TIMEFORMAT=%U
-  { time "$program" plan "$file" --planner "$planner" -o "$out" --profile paper --hit-only --quiet "$@" >/dev/null 2>&1; } 2>"$out.cpu"
+  { time "$program" plan "$file" --planner "$planner" -o "$out" --profile paper --hit-only --quiet "${options[@]}" >/dev/null 2>&1; } 2>"$out.cpu"
   python3 -c 'import json, re, sys
 s = json.load(open(sys.argv[1] + "/score.json"))
 p = json.load(open(sys.argv[1] + "/plan.json"))
