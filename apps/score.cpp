@@ -110,8 +110,9 @@ void run(const ScoreCommand& command) {
   plan.route = route.route;
   if (!command.legs.empty()) {
     plan.route = with_table(route.route, command.legs, site->seafloor().frame);
-  } else if (route.fan_note) {
-    plan.notes.push_back(*route.fan_note);
+  } else {
+    if (route.fan_note) plan.notes.push_back(*route.fan_note);
+    plan.notes.insert(plan.notes.end(), route.leg_notes.begin(), route.leg_notes.end());
   }
   plan.notes.insert(plan.notes.end(), route.notes.begin(), route.notes.end());
   const Scorer scorer(*site, survey, Watch(watch));

@@ -61,6 +61,7 @@ MainScheme kept_lines(const PlanCommand& command, const Site& site, const Survey
   MainScheme kept{{}, "kept", file.filename().string()};
   kept.plan.route = std::move(route.route);
   if (route.fan_note) kept.plan.notes.push_back(*route.fan_note);
+  kept.plan.notes.insert(kept.plan.notes.end(), route.leg_notes.begin(), route.leg_notes.end());
   kept.plan.notes.insert(kept.plan.notes.end(), route.notes.begin(), route.notes.end());
   return kept;
 }

@@ -20,7 +20,44 @@ std::optional<std::size_t> met_at(const std::vector<Waypoint>& points, std::size
   return std::nullopt;
 }
 
+bool near(const Waypoint& a, const Waypoint& b) {
+  return (a.position - b.position).norm() <= kLegTableM;
+}
+
+// Where the path first comes back to the place of waypoint `from`, before `to`.
+std::optional<std::size_t> come_back(const std::vector<Waypoint>& points, std::size_t from,
+                                     std::size_t to) {
+  bool away = false;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    if (!near(points[i], points[from]))
+      away = true;
+    else if (away)
+      return i;
+  }
+  return std::nullopt;
+}
+
 bool begins_logged(const Waypoint& row) { return row.kind != LegKind::end && row.log; }
+
+// The row since the last logged one that begins where the logged row k does: a turn or a way that
+// leads back to its own beginning.
+std::optional<std::size_t> loop_before(const std::vector<Waypoint>& rows, std::size_t k) {
+  for (std::size_t i = k; i-- > 0 && !begins_logged(rows[i]);) {
+    if (near(rows[i], rows[k])) return i;
+  }
+  return std::nullopt;
+}
+
+// Where the logged row behind k that begins elsewhere is met, looked for from `from`; the end of
+// the points where there is none.
+std::size_t next_logged_met(const std::vector<Waypoint>& points, const std::vector<Waypoint>& rows,
+                            std::size_t k, std::size_t from) {
+  for (std::size_t next = k + 1; next < rows.size(); ++next) {
+    if (!begins_logged(rows[next]) || near(rows[next], rows[k])) continue;
+    return met_at(points, from, points.size(), rows[next].position).value_or(points.size());
+  }
+  return points.size();
+}
 
 }  // namespace
 
@@ -55,6 +92,15 @@ Route with_leg_table(const Route& route, const Route& table) {
           "origin), where the route has no waypoint: give the table that was written with this "
           "route",
           k + 1, row.position.x(), row.position.y()));
+    }
+    // A loop begins where it ends: of the two places, the logged row is the second.
+    const std::optional<std::size_t> loop = loop_before(table.waypoints, k);
+    if (loop) {
+      const std::size_t bound = next_logged_met(points, table.waypoints, k, *met[k]);
+      if (const auto back = come_back(points, *met[k], bound)) {
+        met[*loop] = met[k];
+        met[k] = back;
+      }
     }
     at = *met[k];
   }

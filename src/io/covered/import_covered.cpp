@@ -252,6 +252,7 @@ class CoveredFile {
     RouteDefaults defaults{.fan = options_.track_fan.value_or(none),
                            .speed_mps = options_.vehicle.speed_mps};
     const ImportedRoute read = read_route(path_, frame_, defaults);
+    note(read.leg_notes);
     note(read.notes);
     for (const Waypoint& w : read.route.waypoints) where_.extend(w.position);
     const bool has_angles = !read.fan_note;

@@ -70,7 +70,8 @@ class FrameReader {
 
   [[nodiscard]] PlacedRoute read(const Frame& frame) const {
     ImportedRoute imported = read_route(path_, frame, kDefaults);
-    notes_ = std::move(imported.notes);  // without the note on fans: exports hold none
+    notes_ = std::move(imported.leg_notes);  // without the note on fans: exports hold none
+    notes_.insert(notes_.end(), imported.notes.begin(), imported.notes.end());
     return {std::move(imported.route), frame, nullptr};
   }
 

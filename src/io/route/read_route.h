@@ -23,6 +23,8 @@ struct ImportedRoute {
   Route route;
   /// A sentence that says which fan was taken; empty if the file names all fans.
   std::optional<std::string> fan_note;
+  /// One sentence each on kinds and speeds that the file does not name; a leg table tells them.
+  std::vector<std::string> leg_notes;
   std::vector<std::string> notes;  ///< one sentence for each other assumption
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coverage/route/bends.h"
 #include "planners/rows/route_stretches.h"
 
 namespace swathplan {
@@ -53,9 +54,27 @@ Vec2 course_between(const std::vector<Waypoint>& points, bool at_end) {
   return Vec2::UnitY();
 }
 
+/// Whether a join can be sailed as drawn, from the line before it to the one behind it.
+bool is_sailed(const std::vector<Waypoint>& before, const std::vector<Waypoint>& join,
+               const std::vector<Waypoint>& after, double turn_radius_m) {
+  std::vector<Vec2> path;
+  const auto add = [&](const Waypoint& w) {
+    if (path.empty() || (path.back() - w.position).norm() > kOnePlace) path.push_back(w.position);
+  };
+  add(before[before.size() - 2]);
+  add(before.back());
+  for (const Waypoint& w : join) add(w);
+  add(after[0]);
+  add(after[1]);
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    if (is_corner(course_change(path[i - 1], path[i], path[i + 1]), turn_radius_m)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
-std::vector<JobLine> job_lines(const Route& route) {
+std::vector<JobLine> job_lines(const Route& route, double turn_radius_m) {
   std::vector<JobLine> lines;
   std::vector<Waypoint> join;
   bool after_line = false;
@@ -70,7 +89,10 @@ std::vector<JobLine> job_lines(const Route& route) {
       points.pop_back();
       points.insert(points.end(), s.points.begin(), s.points.end());
     } else {
-      if (lines.empty()) join.clear();
+      // Files of lines alone have straight ways between them, which no boat can turn into.
+      const bool kept =
+          !lines.empty() && is_sailed(lines.back().points, join, s.points, turn_radius_m);
+      if (!kept) join.clear();
       lines.push_back({std::move(s.points), std::move(join)});
       join.clear();
     }

@@ -16,8 +16,9 @@ struct JobLine {
   std::vector<Waypoint> join_before = {};
 };
 
-/// The lines of a route in its order, each with its join. Lines that meet without a join are one.
-[[nodiscard]] std::vector<JobLine> job_lines(const Route& route);
+/// The lines of a route in its order, each with its join, unless a boat that turns in
+/// `turn_radius_m` cannot sail that as drawn. Lines that meet without a join are one.
+[[nodiscard]] std::vector<JobLine> job_lines(const Route& route, double turn_radius_m);
 
 /// What the logged part of a line is for: `patch` or `cross` where all of it is, else `line`.
 [[nodiscard]] LegKind purpose(const JobLine& line);

@@ -78,7 +78,7 @@ class JobMaker {
         ways_(ground, options) {}
 
   Job make(const Route& main) {
-    LineGroups groups = grouped(job_lines(main));
+    LineGroups groups = grouped(job_lines(main, options_.vehicle.turn_radius_m));
     if (groups.main.empty() && groups.cross.empty() && groups.patch.empty()) {
       throw InvalidInput("the route holds no survey line to make a job of");
     }

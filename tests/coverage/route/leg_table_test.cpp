@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "coverage/route/thin_route.h"
 #include "coverage/scenes.h"
 #include "mesh/base/error.h"
@@ -49,6 +51,41 @@ TEST(LegTable, HoldsARowWhereSomethingChanges) {
   EXPECT_EQ(table.waypoints[2].speed_mps, 1.5);
   EXPECT_EQ(table.waypoints[3].kind, LegKind::end);
   EXPECT_TRUE(leg_table({}).waypoints.empty());
+}
+
+// A boat that takes the next line from the end of this one turns by a loop.
+TEST(LegTable, ALoopIsNoPartOfTheLineBehindIt) {
+  Route route;
+  const auto add = [&](const Vec2& p, LegKind kind, int line) {
+    Waypoint w;
+    w.position = p;
+    w.kind = kind;
+    w.log = kind == LegKind::line;
+    if (w.log) w.line = line;
+    w.fan = FanAngles{Angle::degrees(60), Angle::degrees(60)};
+    w.speed_mps = w.log ? 2.0 : 1.0;
+    route.waypoints.push_back(w);
+  };
+  for (int i = 0; i < 40; ++i) add({0.0, 0.5 * i}, LegKind::line, 1);
+  for (int i = 0; i < 60; ++i) {
+    const double a = 3.14159265358979 * i / 30.0;
+    add({5.0 - 5.0 * std::cos(a), 20.0 + 5.0 * std::sin(a)}, LegKind::turn, 0);
+  }
+  for (int i = 0; i <= 40; ++i) add({0.0, 20.0 + 0.5 * i}, LegKind::line, 2);
+  route.waypoints.back().kind = LegKind::end;
+  route.waypoints.back().log = false;
+  const Route back = with_leg_table(bare(route), leg_table(route));
+  double logged = 0.0;
+  for (std::size_t i = 0; i + 1 < back.waypoints.size(); ++i) {
+    const Waypoint& w = back.waypoints[i];
+    if (w.log) logged += (back.waypoints[i + 1].position - w.position).norm();
+  }
+  EXPECT_NEAR(logged, 40.0, 0.1);
+  // A format of lines alone leaves the loop out.
+  Route lines = route;
+  std::erase_if(lines.waypoints, [](const Waypoint& w) { return w.kind == LegKind::turn; });
+  EXPECT_NO_THROW((void)with_leg_table(lines, leg_table(route)));
+  EXPECT_EQ(with_leg_table(lines, leg_table(route)).waypoints[40].line, 2);
 }
 
 TEST(LegTable, GivesAnExportBackWhatItsFormatLost) {

@@ -98,8 +98,10 @@ TEST(ExportableRoute, DropsTheNoteOnFansAndKeepsAllOthers) {
   const RouteDefaults defaults{.fan = FanAngles{Angle::degrees(60), Angle::degrees(60)}};
   const ImportedRoute imported = read_route(path, {}, defaults);
   EXPECT_TRUE(imported.fan_note.has_value());
-  ASSERT_EQ(imported.notes.size(), 2U);  // no speed; the last row is no end
-  EXPECT_EQ(read_exportable_route(path, "").notes, imported.notes);
+  ASSERT_EQ(imported.leg_notes.size(), 1U);  // no speed
+  ASSERT_EQ(imported.notes.size(), 1U);      // the last row is no end
+  EXPECT_EQ(read_exportable_route(path, "").notes,
+            (std::vector{imported.leg_notes[0], imported.notes[0]}));
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ CrossLines laid(const JobSite& bench, const std::vector<JobLine>& main, double s
 
 TEST(CrossLines, HaveTheShareAskedForAtRightAnglesToTheMainLines) {
   const JobSite bench;
-  const std::vector<JobLine> main = job_lines(bench.rows(20));  // 4 km
+  const std::vector<JobLine> main =
+      job_lines(bench.rows(20), bench.how.vehicle.turn_radius_m);  // 4 km
   const CrossLines found = laid(bench, main, 0.05);
   EXPECT_GE(found.share, 0.05 - 1e-9);
   EXPECT_LT(found.share, 0.06);
@@ -36,7 +37,7 @@ TEST(CrossLines, HaveTheShareAskedForAtRightAnglesToTheMainLines) {
 
 TEST(CrossLines, AreSpreadOverTheMainLinesBeforeOneIsCrossedTwice) {
   const JobSite bench;
-  const std::vector<JobLine> main = job_lines(bench.rows(20));
+  const std::vector<JobLine> main = job_lines(bench.rows(20), bench.how.vehicle.turn_radius_m);
   const CrossLines found = laid(bench, main, 0.06);  // 240 m: half of the lines once
   std::set<double> seen;
   std::size_t crossings = 0;
@@ -61,7 +62,8 @@ TEST(CrossLines, AvoidSteepGround) {
     v.z() -= std::clamp(v.y() - 180.0, 0.0, 60.0) * std::tan(25.0 * 3.14159265 / 180.0);
   }
   const JobSite bench(std::move(floor));
-  const CrossLines found = laid(bench, job_lines(bench.rows(20)), 0.05);
+  const CrossLines found =
+      laid(bench, job_lines(bench.rows(20), bench.how.vehicle.turn_radius_m), 0.05);
   ASSERT_FALSE(found.lines.empty());
   EXPECT_LT(found.median_slope_deg, 1.0);
   for (const JobLine& line : found.lines) {

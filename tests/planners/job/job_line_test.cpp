@@ -20,7 +20,7 @@ void expect_same(const std::vector<Waypoint>& a, const std::vector<Waypoint>& b)
 TEST(JobLine, ARouteIsItsLinesWithTheirJoins) {
   const JobSite bench;
   const Route route = bench.rows(4);
-  const std::vector<JobLine> lines = job_lines(route);
+  const std::vector<JobLine> lines = job_lines(route, bench.how.vehicle.turn_radius_m);
   ASSERT_EQ(lines.size(), 4U);
   EXPECT_TRUE(lines[0].join_before.empty());
   double seconds = 0.0;
@@ -35,6 +35,24 @@ TEST(JobLine, ARouteIsItsLinesWithTheirJoins) {
     seconds += sailing_s(join);
   }
   EXPECT_NEAR(seconds, sailing_s(route.waypoints), 1e-6);
+}
+
+// A file of lines alone, as a survey package plans them: its reader joins them by straights.
+TEST(JobLine, AStraightFromLineToLineIsNoJoinToKeep) {
+  const JobSite bench;
+  Route route;
+  for (int k = 0; k < 3; ++k) {
+    const JobLine line = bench.northward(50.0 + 25.0 * k, k + 1);
+    const auto points = k % 2 == 0 ? line.points : backwards(line).points;
+    route.waypoints.insert(route.waypoints.end(), points.begin(), points.end());
+    route.waypoints.back().kind = LegKind::transit;
+    route.waypoints.back().log = false;
+    route.waypoints.back().line.reset();
+  }
+  route.waypoints.back().kind = LegKind::end;
+  const std::vector<JobLine> lines = job_lines(route, bench.how.vehicle.turn_radius_m);
+  ASSERT_EQ(lines.size(), 3U);
+  for (const JobLine& line : lines) EXPECT_TRUE(line.join_before.empty());
 }
 
 TEST(JobLine, BackwardsChangesSidesRunsAndCoursesAndTwiceBackIsTheSame) {
@@ -64,7 +82,7 @@ TEST(JobLine, BackwardsChangesSidesRunsAndCoursesAndTwiceBackIsTheSame) {
 
 TEST(JobLine, APlanTurnedRoundKeepsItsJoins) {
   const JobSite bench;
-  const std::vector<JobLine> lines = job_lines(bench.rows(3));
+  const std::vector<JobLine> lines = job_lines(bench.rows(3), bench.how.vehicle.turn_radius_m);
   const std::vector<JobLine> back = backwards(lines);
   ASSERT_EQ(back.size(), 3U);
   EXPECT_TRUE(back[0].join_before.empty());

@@ -27,7 +27,7 @@ TEST(JobOrder, ARoundTripFromTheBerthTakesLessTimeThanTheGivenOrder) {
 
 TEST(JobOrder, TheGivenOrderIsTurnedRoundWhereThatIsNearer) {
   const JobSite bench;
-  const std::vector<JobLine> lines = job_lines(bench.rows(5));
+  const std::vector<JobLine> lines = job_lines(bench.rows(5), bench.how.vehicle.turn_radius_m);
   JobEnds ends;
   ends.out = Vec2(200, 250);
   const auto turned = in_given_order(lines, bench.ways, ends);

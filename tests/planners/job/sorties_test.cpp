@@ -26,7 +26,7 @@ std::size_t lines_in(const std::vector<SortieLines>& sorties) {
 
 TEST(Sorties, EachFitsItsHoursWithWholeLinesInTheirOrder) {
   const JobSite bench;
-  const std::vector<JobLine> lines = job_lines(bench.rows(16));
+  const std::vector<JobLine> lines = job_lines(bench.rows(16), bench.how.vehicle.turn_radius_m);
   const double whole = estimate(bench, lines);
   const double longest = whole / 3.0;
   const auto sorties = cut_into_sorties(lines, bench.ways, kQuay, longest);
@@ -46,7 +46,7 @@ TEST(Sorties, EachFitsItsHoursWithWholeLinesInTheirOrder) {
 
 TEST(Sorties, OneSortieIsEnoughWhereThereIsTimeForAll) {
   const JobSite bench;
-  const std::vector<JobLine> lines = job_lines(bench.rows(4));
+  const std::vector<JobLine> lines = job_lines(bench.rows(4), bench.how.vehicle.turn_radius_m);
   EXPECT_EQ(cut_into_sorties(lines, bench.ways, kQuay, 1e5).size(), 1U);
   EXPECT_TRUE(cut_into_sorties({}, bench.ways, kQuay, 1e5).empty());
 }
@@ -78,7 +78,7 @@ TEST(Sorties, ShorterThanTheWayThereAndBackIsRefused) {
 
 TEST(Sorties, BoatsGetAboutTheSameTime) {
   const JobSite bench;
-  const std::vector<JobLine> lines = job_lines(bench.rows(15));
+  const std::vector<JobLine> lines = job_lines(bench.rows(15), bench.how.vehicle.turn_radius_m);
   for (const int boats : {2, 3}) {
     const auto parts = cut_for_boats(lines, bench.ways, kQuay, boats);
     ASSERT_EQ(parts.size(), static_cast<std::size_t>(boats));

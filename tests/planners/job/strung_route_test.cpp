@@ -12,7 +12,7 @@ TEST(StrungRoute, LinesInTheirOrderGiveTheSameRouteAgain) {
   const JobSite bench;
   const Route route = bench.rows(5);
   const BuiltRoute built =
-      strung(job_lines(route), std::nullopt, bench.site.ground, bench.how, bench.connector);
+      strung(job_lines(route, bench.how.vehicle.turn_radius_m), std::nullopt, bench.site.ground, bench.how, bench.connector);
   ASSERT_EQ(built.route.waypoints.size(), route.waypoints.size());
   for (std::size_t i = 0; i < route.waypoints.size(); ++i) {
     EXPECT_LT((built.route.waypoints[i].position - route.waypoints[i].position).norm(), 1e-6);
@@ -23,8 +23,8 @@ TEST(StrungRoute, LinesInTheirOrderGiveTheSameRouteAgain) {
 TEST(StrungRoute, BeginsAndEndsAtTheBerthWithTheSonarOff) {
   const JobSite bench;
   const Vec2 berth(300, 20);
-  const BuiltRoute built =
-      strung(job_lines(bench.rows(3)), Berth{berth}, bench.site.ground, bench.how, bench.connector);
+  const BuiltRoute built = strung(job_lines(bench.rows(3), bench.how.vehicle.turn_radius_m),
+                                  Berth{berth}, bench.site.ground, bench.how, bench.connector);
   EXPECT_FALSE(fault(built.route)) << *fault(built.route);
   const auto& w = built.route.waypoints;
   EXPECT_EQ(w.front().position, berth);
@@ -42,7 +42,7 @@ TEST(StrungRoute, BeginsAndEndsAtTheBerthWithTheSonarOff) {
 TEST(StrungRoute, TheNextSortieLeavesOnTheCourseOfArrivalSoThatTheWholeCanBeSteered) {
   const JobSite bench;
   const Vec2 berth(300, 20);
-  const std::vector<JobLine> lines = job_lines(bench.rows(4));
+  const std::vector<JobLine> lines = job_lines(bench.rows(4), bench.how.vehicle.turn_radius_m);
   const BuiltRoute one =
       strung({lines[0], lines[1]}, Berth{berth}, bench.site.ground, bench.how, bench.connector);
   const BuiltRoute two = strung({lines[2], lines[3]}, end_of(one.route), bench.site.ground,
