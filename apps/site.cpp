@@ -66,9 +66,7 @@ void note_cut_off(Site& site) {
 
 /// Notes how much of the water is too shoal for this vehicle.
 void note_shoals(Site& site, const SurveyAreaOptions& bounds) {
-  SurveyAreaOptions all = bounds;
-  all.safe_depth_m = 0.0;
-  const Area shoal = subtract(survey_area(site.seafloor(), all), site.survey_area);
+  const Area shoal = shoal_ground(site.seafloor(), bounds);
   const double shoal_m2 = area_m2(shoal);
   if (shoal_m2 < kWorthSaying) return;
   site.notes.push_back(fmt::format(

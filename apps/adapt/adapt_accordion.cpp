@@ -101,14 +101,11 @@ Provenance provenance(const AccordionCommand& c, const AccordionOptions& o, cons
                           joined({planner_options(now), rows(now)}));
 }
 
-// The box is the survey area, and abstract worlds have no place on a map.
-void refuse_polygons(const SiteOptions& site) {
+// The box is the survey area.
+void refuse_area(const SiteOptions& site) {
   if (!site.area.empty()) {
     throw UsageError("area", "",
                      "the box is the survey area: set --corner, --width and --length instead");
-  }
-  if (site.file.empty() && !site.no_go.empty()) {
-    throw UsageError("no go", "", "an abstract world has no such places: give a FILE");
   }
 }
 
@@ -133,6 +130,7 @@ void simulate_strips(const AccordionCommand& c) {
   lawnmower.title = "Overlapping lawnmower";
   lawnmower.tracks = overlapping_lawnmower(o.width_m, o.spacing_m);
   out.pictures = {picture, lawnmower};
+  keep_out_of(abstract_no_go(c.site, box, sonar_range_m(o), out), {}, out);
   write_flat_mission(c.output, out, box, sonar_range_m(o));
 }
 
@@ -200,12 +198,7 @@ void simulate_seafloor(const AccordionCommand& c) {
       fmt::format("the score takes a sonar at the surface with the same swath; the images "
                   "were made {:g} m above the seafloor",
                   c.sonar.altitude_m)};
-  if (const double through_m = mark_no_go(out.route, site->no_go); through_m > 0.0) {
-    out.notes.push_back(
-        fmt::format("{:.0f} m of the route lead through no-go areas and are marked "
-                    "infeasible; the accordion does not go round them",
-                    through_m));
-  }
+  keep_out_of(site->no_go, site->water, out);
   TrackPicture picture{out.label, o.width_m, o.length_m, state.sailed, {}, kDots, {}};
   const Vec2 origin = box_point(box, 0, 0);
   for (const DroppedObject& object : objects) {
@@ -220,7 +213,7 @@ void simulate_seafloor(const AccordionCommand& c) {
 }
 
 void simulate(const AccordionCommand& c) {
-  refuse_polygons(c.site);
+  refuse_area(c.site);
   const auto limit = thread_limit(c.output);
   c.site.file.empty() ? simulate_strips(c) : simulate_seafloor(c);
 }

@@ -12,13 +12,19 @@
 #include "apps/planning.h"
 #include "apps/watch/terminal_watch.h"
 #include "io/files/atomic_file.h"
+#include "io/seafloor/area_import.h"
 #include "mesh/base/error.h"
 #include "mesh/plane/area_query.h"
 #include "mesh/survey_area.h"
 #include "mesh/synthetic.h"
+#include "planners/steering/led_round.h"
+#include "planners/wording.h"
 
 namespace swathplan {
 namespace {
+
+/// Kept from no-go areas, metres.
+constexpr double kNoGoRoom = 1.0;
 
 // A route of many kilometres is scored on no more cells than this: the report is drawn from them.
 constexpr double kCells = 250000.0;
@@ -59,6 +65,66 @@ std::unique_ptr<Site> flat_site(const SurveyBox& box, double margin_m, double de
   site->water = outline(site->seafloor());
   site->survey_area = box_area(box);
   return site;
+}
+
+/// Cuts the route where it enters and leaves the area, marks what lies inside infeasible, and
+/// returns these metres.
+double mark_no_go(Route& route, const Area& no_go) {
+  constexpr double kEnd = 1e-9;  // a cut so near to a waypoint is that waypoint
+  const AreaQuery query(no_go);
+  std::vector<Waypoint> cut;
+  double inside_m = 0.0;
+  for (std::size_t i = 0; i + 1 < route.waypoints.size(); ++i) {
+    Waypoint piece = route.waypoints[i];
+    const Vec2 from = piece.position;
+    const Vec2 way = route.waypoints[i + 1].position - from;
+    const bool feasible = piece.feasible;
+    double at = 0.0;
+    const auto add = [&](double to, bool blocked) {
+      if (to <= at + kEnd) return;
+      piece.position = from + at * way;
+      piece.feasible = feasible && !blocked;
+      cut.push_back(piece);
+      at = to;
+    };
+    for (const auto& [low, high] : query.clip(from, from + way)) {
+      add(low, false);
+      add(high, true);
+      inside_m += (high - low) * way.norm();
+    }
+    add(1.0, false);
+  }
+  cut.push_back(route.waypoints.back());
+  route.waypoints = std::move(cut);
+  return inside_m;
+}
+
+/// Round everything, with room to go round it.
+Area open_water(const Route& route, const Area& no_go) {
+  constexpr double kLeastRoom = 20.0;  // metres
+  Box2 box = extent(no_go);
+  for (const Waypoint& w : route.waypoints) box.extend(w.position);
+  const Vec2 room = Vec2::Constant(kLeastRoom) + 0.1 * box.size();
+  const Vec2 low = box.min - room;
+  const Vec2 high = box.max + room;
+  return {{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}, {}}};
+}
+
+std::string cut_note(const std::vector<CutLine>& cut) {
+  constexpr std::size_t kMostNamed = 12;
+  double left_out_m = 0.0;
+  std::string names;
+  for (std::size_t i = 0; i < cut.size(); ++i) {
+    left_out_m += cut[i].left_out_m;
+    if (i < kMostNamed && cut[i].line) {
+      names += fmt::format("{}{}", i > 0 ? ", " : "", *cut[i].line);
+    }
+  }
+  return fmt::format(
+      "{:.0f} m of {} lie in no-go areas or within {:g} m of them and are not sailed (track{} "
+      "{}{})",
+      left_out_m, counted(cut.size(), "track"), kNoGoRoom, cut.size() == 1 ? "" : "s", names,
+      cut.size() > kMostNamed ? ", ..." : "");
 }
 
 }  // namespace
@@ -111,37 +177,6 @@ SurveyBox box_of(const BoxOptions& options, double width_m, double length_m, con
   return box;
 }
 
-double mark_no_go(Route& route, const Area& no_go) {
-  if (no_go.empty() || route.waypoints.empty()) return 0.0;
-  constexpr double kEnd = 1e-9;  // a cut so near to a waypoint is that waypoint
-  const AreaQuery query(no_go);
-  std::vector<Waypoint> cut;
-  double inside_m = 0.0;
-  for (std::size_t i = 0; i + 1 < route.waypoints.size(); ++i) {
-    Waypoint piece = route.waypoints[i];
-    const Vec2 from = piece.position;
-    const Vec2 way = route.waypoints[i + 1].position - from;
-    const bool feasible = piece.feasible;
-    double at = 0.0;
-    const auto add = [&](double to, bool blocked) {
-      if (to <= at + kEnd) return;
-      piece.position = from + at * way;
-      piece.feasible = feasible && !blocked;
-      cut.push_back(piece);
-      at = to;
-    };
-    for (const auto& [low, high] : query.clip(from, from + way)) {
-      add(low, false);
-      add(high, true);
-      inside_m += (high - low) * way.norm();
-    }
-    add(1.0, false);
-  }
-  cut.push_back(route.waypoints.back());
-  route.waypoints = std::move(cut);
-  return inside_m;
-}
-
 Area box_area(const SurveyBox& box) {
   Ring ring{box_point(box, 0, 0), box_point(box, box.width_m, 0),
             box_point(box, box.width_m, box.length_m), box_point(box, 0, box.length_m)};
@@ -175,6 +210,51 @@ MissionOutput mission_output(const SurveyBox& box, std::span<const SurveyTrack> 
   out.route = mission_route(box, tracks, {side_fan(range_m, depth_m), kSpeed});
   out.provenance = std::move(provenance);
   return out;
+}
+
+Option no_go_option(std::filesystem::path& file) {
+  return path("--no-go", "", file, "Go round these polygons, metres as of --corner", "no_go_file");
+}
+
+Area abstract_no_go(const SiteOptions& choice, const SurveyBox& box, double reach_m,
+                    MissionOutput& mission) {
+  if (choice.no_go.empty()) return {};
+  Box2 data = extent(box_area(box));
+  data.min.array() -= reach_m;
+  data.max.array() += reach_m;
+  ImportedArea read = import_area(choice.no_go, {},
+                                  {.data_extent = data,
+                                   .buffer_m = choice.buffer_m,
+                                   .layers = choice.layers,
+                                   .tolerance_m = 0.1 * kNoGoRoom,
+                                   .rounding = Rounding::around});
+  for (const std::string& note : read.notes) mission.notes.push_back(in_flags(note));
+  return std::move(read.area);
+}
+
+void keep_out_of(const Area& no_go, const Area& water, MissionOutput& mission) {
+  Route& route = mission.route;
+  if (no_go.empty() || route.waypoints.empty()) return;
+  LedRound led =
+      led_round(route, no_go, water.empty() ? open_water(route, no_go) : water, kNoGoRoom);
+  if (led.route.waypoints.empty()) {
+    throw InvalidInput("all tracks of the mission lie in no-go areas; set --corner");
+  }
+  if (positions(led.route.waypoints) == positions(route.waypoints)) return;
+  const double before_m = length_m(route);
+  route = std::move(led.route);
+  const double blocked_m = mark_no_go(route, no_go);
+  if (!led.cut.empty()) mission.notes.push_back(cut_note(led.cut));
+  mission.notes.push_back(fmt::format(
+      "the route goes round no-go areas: {:.0f} m instead of {:.0f} m; the planner's own figures "
+      "are those of whole tracks",
+      length_m(route), before_m));
+  if (blocked_m > 0.0) {
+    mission.notes.push_back(fmt::format(
+        "{:.0f} m of the route lead through no-go areas and are marked infeasible: no way round "
+        "them was found",
+        blocked_m));
+  }
 }
 
 void write_mission(const AdaptOutput& output, const MissionOutput& mission, const Site& site) {

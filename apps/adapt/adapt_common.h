@@ -44,9 +44,8 @@ struct BoxOptions {
 /// Keeps all work to the threads that were asked for, as long as it lives; 0: all cores.
 [[nodiscard]] tbb::global_control thread_limit(const AdaptOutput& output);
 
-/// Cuts the route where it enters and leaves the area, marks what lies inside infeasible, and
-/// returns these metres.
-double mark_no_go(Route& route, const Area& no_go);
+/// --no-go of a mission in an abstract world: polygons in the metres of --corner.
+[[nodiscard]] Option no_go_option(std::filesystem::path& file);
 
 /// The survey area of the box.
 [[nodiscard]] Area box_area(const SurveyBox& box);
@@ -65,6 +64,16 @@ struct MissionOutput {
 [[nodiscard]] MissionOutput mission_output(const SurveyBox& box,
                                            std::span<const SurveyTrack> tracks, double range_m,
                                            double depth_m, Provenance provenance);
+
+/// The no-go polygons of a mission in an abstract world; none without a file. Notes on the file go
+/// to the mission's.
+/// @throws InvalidInput where none comes within `reach_m` of the box.
+[[nodiscard]] Area abstract_no_go(const SiteOptions& choice, const SurveyBox& box, double reach_m,
+                                  MissionOutput& mission);
+/// Cuts the mission's tracks at no-go areas and leads it round them, through `water` where given,
+/// and notes what was done. Where no way leads round, what lies in the areas is marked infeasible.
+/// @throws InvalidInput where no track is left.
+void keep_out_of(const Area& no_go, const Area& water, MissionOutput& mission);
 
 /// Writes route.csv, route.geojson, score.json, mission.json, tracks.png, report.html and the rest
 /// that every survey gets into the folder, and prints the figures.

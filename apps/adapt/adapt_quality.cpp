@@ -20,6 +20,7 @@ namespace {
 struct QualityCommand {
   BoxOptions box;
   AdaptOutput output;
+  SiteOptions site;  ///< its no-go polygons alone
   QualitySurveyOptions planner;
   std::string constraint = "strong";
   double port_m = 70.0, starboard_m = 70.0;
@@ -67,7 +68,8 @@ OptionTable world_options(QualityCommand& c) {
   return {real("--true-port", "", c.port_m, kMetres, at_least(0.0),
                "True range of the port side, m; 0: dead", "true_port_range_m"),
           real("--true-starboard", "", c.starboard_m, kMetres, at_least(0.0),
-               "Of the starboard side, m; 0: dead", "true_starboard_range_m")};
+               "Of the starboard side, m; 0: dead", "true_starboard_range_m"),
+          no_go_option(c.site.no_go)};
 }
 
 constexpr const char* kNothingGained =
@@ -127,6 +129,7 @@ void simulate(const QualityCommand& c) {
                     constraint == GapConstraint::none ? "no" : name(constraint), s.sailed.size()),
         o, s.sailed, s.covered));
   }
+  keep_out_of(abstract_no_go(c.site, box, o.range_max_m, out), {}, out);
   write_flat_mission(c.output, out, box, o.range_max_m);
 }
 

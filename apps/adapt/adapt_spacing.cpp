@@ -25,6 +25,7 @@ namespace {
 struct SpacingCommand {
   BoxOptions box;
   AdaptOutput output;
+  SiteOptions site;  ///< its no-go polygons alone
   TrackSpacingOptions planner;
   SpacingWorld world;
   std::filesystem::path curve;
@@ -123,7 +124,8 @@ OptionTable world_options(SpacingCommand& c) {
 
 OptionTable mission_options(SpacingCommand& c) {
   return {flag("--control", "", c.control, "Do not adapt", "control"),
-          path("--curve", "", c.curve, "True P(y): a file of 'range_m,p' lines", "curve_file")};
+          path("--curve", "", c.curve, "True P(y): a file of 'range_m,p' lines", "curve_file"),
+          no_go_option(c.site.no_go)};
 }
 
 Provenance provenance(const SpacingCommand& c, const TrackSpacingOptions& o,
@@ -199,6 +201,7 @@ void simulate(const SpacingCommand& c) {
   }
   chart.curves = {adaptive, fixed};
   write_chart_png(c.output.folder / "risk-histogram.png", chart);
+  keep_out_of(abstract_no_go(c.site, box, o.range_m, out), {}, out);
   write_flat_mission(c.output, out, box, o.range_m);
 }
 

@@ -94,4 +94,20 @@ Area survey_area(const Seafloor& seafloor, const SurveyAreaOptions& options) {
   return area;
 }
 
+Area shoal_ground(const Seafloor& seafloor, const SurveyAreaOptions& options) {
+  const double level = -options.safe_depth_m;
+  const auto is_shoal = [&](const Vec3& vertex) { return vertex.z() > level; };
+  if (!(options.safe_depth_m > 0.0) ||
+      std::none_of(seafloor.vertices.begin(), seafloor.vertices.end(), is_shoal)) {
+    return {};
+  }
+  // The seafloor's own outlines first. Two survey areas share all corners of a shoreline, and
+  // Clipper's cost is quadratic in edges that lie on one another.
+  Area shoal = without_dust(
+      subtract(outline(seafloor), outline(below_level(seafloor, level))));
+  if (shoal.empty()) return shoal;
+  if (options.limit) shoal = intersect(shoal, *options.limit);
+  return without_dust(subtract(shoal, options.no_go));
+}
+
 }  // namespace swathplan

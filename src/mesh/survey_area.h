@@ -22,4 +22,8 @@ struct SurveyAreaOptions {
 /// @throws InvalidInput if nothing is left; the message says which condition took the last of it.
 [[nodiscard]] Area survey_area(const Seafloor& seafloor, const SurveyAreaOptions& options);
 
+/// What the safe depth takes off the survey area: ground inside `limit` and outside no-go that is
+/// shoaler. Empty without a safe depth.
+[[nodiscard]] Area shoal_ground(const Seafloor& seafloor, const SurveyAreaOptions& options);
+
 }  // namespace swathplan

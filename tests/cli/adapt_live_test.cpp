@@ -285,7 +285,7 @@ TEST(AdaptCommand, NarrowSwathsNeedNoOptimum) {
   EXPECT_THAT(contents(folder / "mission.json"), testing::Not(HasSubstr("optimal_tracks")));
 }
 
-TEST(AdaptCommand, RoutesThroughNoGoAreasAreMarkedInfeasible) {
+TEST(AdaptCommand, MissionsGoRoundNoGoAreas) {
   const auto folder = scratch("no-go");
   write_flat_grid(folder / "flat.asc", 50, 22);
   std::ofstream(folder / "no-go.geojson")
@@ -298,15 +298,37 @@ TEST(AdaptCommand, RoutesThroughNoGoAreasAreMarkedInfeasible) {
       folder.string();
   const auto outcome = run(simulate + " --no-go " + (folder / "no-go.geojson").string());
   ASSERT_EQ(outcome.code, 0) << (outcome.lines.empty() ? "" : outcome.lines[0]);
-  EXPECT_THAT(contents(folder / "mission.json"), HasSubstr("10 m of the route lead through"));
-  EXPECT_THAT(contents(folder / "score.json"), HasSubstr(R"("infeasible_m": 10)"));
-  EXPECT_THAT(contents(folder / "route.csv"), HasSubstr("infeasible"));
+  EXPECT_THAT(contents(folder / "mission.json"), HasSubstr("12 m of 1 track lie in no-go areas"));
+  EXPECT_THAT(contents(folder / "mission.json"), HasSubstr("(track 0)"));
+  EXPECT_THAT(contents(folder / "score.json"), HasSubstr(R"("infeasible_m": 0)"));
+  EXPECT_THAT(contents(folder / "route.csv"), testing::Not(HasSubstr("infeasible")));
   const auto area = run(simulate + " --area " + (folder / "no-go.geojson").string());
   EXPECT_EQ(area.code, 2);
   EXPECT_THAT(area.lines.at(0), HasSubstr("--area; the box is the survey area"));
-  const auto abstract = run("accordion simulate --no-go x.geojson");
-  EXPECT_EQ(abstract.code, 2);
-  EXPECT_THAT(abstract.lines.at(0), HasSubstr("--no-go; an abstract world"));
+}
+
+TEST(AdaptCommand, AbstractMissionsGoRoundNoGoAreas) {
+  const auto folder = scratch("abstract-no-go");
+  const auto write =
+      [&](const char* name, const std::string& ring) {
+        std::ofstream(folder / name)
+            << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},)"
+            << R"("geometry":{"type":"Polygon","coordinates":[)" << ring << "]}}]}";
+        return " --no-go " + (folder / name).string();
+      };
+  const std::string middle = write("middle.geojson", "[[40,40],[210,40],[210,60],[40,60],[40,40]]");
+  for (const char* mission : {"accordion simulate --width 250 --length 100 --spacing 50 --p-obj 0",
+                              "spacing simulate --width 250 --length 100 --range 80 --nadir 20",
+                              "quality simulate --width 250 --length 100"}) {
+    const auto outcome = run(mission + middle + " --quiet -o " + folder.string());
+    ASSERT_EQ(outcome.code, 0) << mission << (outcome.lines.empty() ? "" : outcome.lines[0]);
+    EXPECT_THAT(contents(folder / "mission.json"), HasSubstr("are not sailed (track"));
+    EXPECT_THAT(contents(folder / "score.json"), HasSubstr(R"("infeasible_m": 0)")) << mission;
+  }
+  const auto missed = run("quality simulate --width 250 --length 100 -o " + folder.string() +
+                          write("far.geojson", "[[9000,100],[9100,100],[9100,200],[9000,100]]"));
+  EXPECT_EQ(missed.code, 1);
+  EXPECT_THAT(missed.lines.at(0), HasSubstr("do not meet"));
 }
 
 TEST(AdaptCommand, BadOptionsAreUsageErrors) {

@@ -8,12 +8,12 @@ binaries=$(cd "$1" && pwd)
 seconds=$2
 shift 2
 readers=("$@")
-((${#readers[@]})) || readers=(obj ply stl off soundings route area live options)
+((${#readers[@]})) || readers=(obj ply stl off soundings route area dxf live options)
 
 seeds() {  # READER: its files of the corpus
   local names
   case $1 in
-    obj | ply | stl | off) names="-name *.$1" ;;
+    obj | ply | stl | off | dxf) names="-name *.$1" ;;
     soundings) names="-name *.xyz -o -name *.csv -o -name *.txt -o -name *.emo -o -name *.pnt" ;;
     route) names="-name *.csv -o -name *.geojson -o -name *.plan -o -name *.waypoints -o -name *.lnw \
                   -o -name *.gpx -o -name *.kml -o -name *.rtz" ;;

@@ -34,6 +34,21 @@ TEST(SurveyArea, ShoalWaterIsCutAlongItsIsobath) {
   EXPECT_NEAR(area_m2(area), 17 * 10, 0.02);
 }
 
+TEST(SurveyArea, ShoalGroundIsWhatTheSafeDepthTakes) {
+  // Depth 2 + x tan(45): 5 m is reached at x = 3.
+  const Seafloor floor = tilted(20, 10, 2.0, Angle::degrees(45));
+  SurveyAreaOptions options{.limit = {}, .no_go = {}, .safe_depth_m = 5.0};
+  EXPECT_NEAR(area_m2(shoal_ground(floor, options)), 3 * 10, 0.02);
+  options.limit = box_area(1, 0, 20, 4);
+  EXPECT_NEAR(area_m2(shoal_ground(floor, options)), 2 * 4, 0.02);
+  options.no_go = box_area(0, 0, 2, 10);
+  EXPECT_NEAR(area_m2(shoal_ground(floor, options)), 1 * 4, 0.02);
+  options.safe_depth_m = 1.0;
+  EXPECT_TRUE(shoal_ground(floor, options).empty()) << "all is deep enough";
+  options.safe_depth_m = 0.0;
+  EXPECT_TRUE(shoal_ground(floor, options).empty()) << "no safe depth, so nothing is too shoal";
+}
+
 TEST(SurveyArea, LimitAndNoGoApply) {
   const Seafloor floor = flat(100, 100, 10);
   const Area area = survey_area(

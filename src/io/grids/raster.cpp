@@ -6,6 +6,7 @@
 #include <map>
 
 #include "io/grids/grid_import.h"
+#include "io/grids/no_data_values.h"
 #include "io/grids/raster_internal.h"
 #include "mesh/base/error.h"
 
@@ -71,18 +72,6 @@ std::vector<std::uint32_t> add_nodes(const Raster& raster, const Lattice& lattic
   return node;
 }
 
-/// No seafloor is as deep, in any unit: such a number stands for 'no data'.
-constexpr double kNoHeight = 1e9;
-
-bool is_telltale(double value) {
-  constexpr std::array kTelltales = {999.0,   9999.0,  99999.0, 999999.0,
-                                     32767.0, 32768.0, 1e6,     9999999.0};
-  const double size = std::abs(value);
-  return std::isfinite(size) &&
-         (size >= kNoHeight ||
-          std::find(kTelltales.begin(), kTelltales.end(), size) != kTelltales.end());
-}
-
 }  // namespace
 
 bool Raster::is_nodata(double value) const {
@@ -101,57 +90,24 @@ void check_shape(const Raster& raster, const fs::path& path) {
   }
 }
 
-/// Many programs fill with 0. A sea that is deep everywhere but has cells of exactly 0 is suspect.
-void warn_of_zeros(const Raster& raster, std::vector<std::string>& warnings) {
-  constexpr std::size_t kShare = 50;  // one in so many cells
-  constexpr double kGap = 0.25;       // of the range of all others
-  std::size_t zeros = 0;
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const double value : raster.raw) {
-    if (raster.is_nodata(value) || !std::isfinite(value)) continue;
-    if (value == 0.0) {
-      ++zeros;
-    } else {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-  const double gap = std::max(low, -high);
-  if (zeros * kShare < raster.raw.size() || low > high || gap <= kGap * (high - low)) return;
-  warnings.push_back(fmt::format(
-      "{} of {} cells hold exactly 0, apart from all other values ({:.6g} to {:.6g}): if that "
-      "means no data, set <nodata value> 0",
-      zeros, raster.raw.size(), low, high));
-}
-
 void drop_undeclared_nodata(Raster& raster, std::vector<std::string>& warnings) {
-  warn_of_zeros(raster, warnings);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  std::map<double, std::size_t> telltales;
+  std::map<double, std::size_t> suspects;
   for (const double value : raster.raw) {
     if (raster.is_nodata(value) || !std::isfinite(value)) continue;
-    if (is_telltale(value)) {
-      ++telltales[value];
+    if (no_data_sign(value) != NoDataSign::none) {
+      ++suspects[value];
     } else {
       low = std::min(low, value);
       high = std::max(high, value);
     }
   }
   if (low > high) return;
-  for (const auto& [value, count] : telltales) {
-    const double gap = std::max(value - high, low - value);
-    const bool far = std::abs(value) >= kNoHeight || gap > high - low;
-    if (!far && (gap <= 0.0 || count < 2)) continue;
-    warnings.push_back(
-        far ? fmt::format("{} of {} cells hold {:.7g}, far outside all other values ({:.6g} to "
-                          "{:.6g}): taken as no data, though the file does not say so",
-                          count, raster.raw.size(), value, low, high)
-            : fmt::format("{} of {} cells hold exactly {:.7g}, outside all other values ({:.6g} to "
-                          "{:.6g}): if that means no data, set <nodata value> {:.7g}",
-                          count, raster.raw.size(), value, low, high, value));
-    if (far) {
+  for (const auto& [value, count] : suspects) {
+    const SuspectValue suspect{value, count, raster.raw.size(), low, high};
+    if (is_worth_a_word(suspect)) warnings.push_back(no_data_warning(suspect, "cells"));
+    if (is_no_data(suspect)) {
       std::replace(raster.raw.begin(), raster.raw.end(), value,
                    std::numeric_limits<double>::quiet_NaN());
     }

@@ -13,6 +13,7 @@
 #include <memory>
 #include <string>
 
+#include "io/files/child_process.h"
 #include "io/files/crs.h"
 #include "io/files/gdal_at_home.h"
 #include "io/files/lonlat.h"
@@ -41,6 +42,28 @@ bool has_index(fs::path path) {
          fs::exists(path.replace_extension(".SHX"), error);
 }
 
+/// GDAL's reader of drawings breaks down over some that are damaged. Such a file is read in a
+/// process of its own first, where that does no harm.
+void check_drawing(const fs::path& path) {
+  GDALDriverH driver = GDALIdentifyDriver(path.c_str(), nullptr);
+  if (driver == nullptr || std::string_view(GDALGetDriverShortName(driver)) != "DXF") return;
+  const ChildResult child = run_in_child([&] {
+    const GDALDatasetUniquePtr drawing(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR));
+    for (int i = 0; drawing && i < drawing->GetLayerCount(); ++i) {
+      for (const OGRFeatureUniquePtr& feature : *drawing->GetLayer(i)) {
+        if (feature->GetGeometryRef() == nullptr) continue;
+        const std::unique_ptr<OGRGeometry> straight(feature->GetGeometryRef()->getLinearGeometry());
+      }
+    }
+    return std::string();
+  });
+  if (child.end == ChildEnd::done || child.end == ChildEnd::failed) return;
+  throw InvalidInput(
+      fmt::format("'{}' cannot be read as a drawing: its reader breaks down over it; save it as "
+                  "DXF (ASCII) with plain polylines",
+                  path.string()));
+}
+
 GDALDatasetUniquePtr open_vectors(const fs::path& path) {
   std::error_code error;
   if (!fs::exists(path, error)) {
@@ -51,6 +74,7 @@ GDALDatasetUniquePtr open_vectors(const fs::path& path) {
   const bool folder = fs::is_directory(path, error);
   register_gdal();
   if (!folder) check_sources_stay_beside(path);
+  if (!folder) check_drawing(path);
   GDALDatasetUniquePtr data(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
   if (!data && folder) {
     throw InvalidInput(fmt::format("'{}' is a folder; name the file in it", path.string()));

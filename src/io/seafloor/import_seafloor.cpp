@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "io/charts/chart_import.h"
 #include "io/files/crs.h"
@@ -458,6 +459,21 @@ void note_other_z_unit(SurfaceData& data, const ImportOptions& options) {
                                    *options.z_unit_m, *data.z_unit_m));
 }
 
+/// Water that is many times deeper than its data are across was hardly measured from a boat.
+void warn_of_depths(const SurfaceData& data, const ImportOptions& options,
+                    ImportedSeafloor& result) {
+  constexpr double kDeepestSides = 8.0;
+  if (options.z_unit_m || data.z_unit_m || result.seafloor.vertices.empty()) return;
+  double shoalest = std::numeric_limits<double>::infinity();
+  for (const Vec3& v : result.seafloor.vertices) shoalest = std::min(shoalest, -v.z());
+  const double side = extent(result.seafloor).size().maxCoeff();
+  if (shoalest <= kDeepestSides * side) return;
+  result.warnings.push_back(fmt::format(
+      "the water is {:.0f} m deep everywhere, but the data are only {:.0f} m across: if z is in "
+      "centimetres or so, set <z unit> (0.01)",
+      shoalest, side));
+}
+
 void add_unit_warnings(const SurfaceData& data, const Frame& frame, double unit_m,
                        const ImportOptions& options, ImportedSeafloor& result) {
   if (unit_m != 1.0 && !options.z_unit_m && !data.z_unit_m) {
@@ -569,6 +585,7 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
   const bool is_clean = data.is_clean;
   result.seafloor = place(data, frame, options);
   mend(result.seafloor, is_clean, result);
+  warn_of_depths(data, options, result);
   if (result.spacing_m == 0.0) {
     result.spacing_m = std::sqrt(2.0 * plan_area_m2(result.seafloor) /
                                  static_cast<double>(result.seafloor.faces.size()));

@@ -68,6 +68,29 @@ double float_step(const std::vector<Vec3>& vertices) {
   return std::ldexp(1.0, std::ilogb(largest) - 23);
 }
 
+/// Corners as they are stored, three a facet; the numbers are little-endian, as this program's are.
+SurfaceData read_binary_stl(const fs::path& path) {
+  check_binary_stl(path);
+  constexpr std::size_t kNormal = 12;
+  const std::size_t facets = stl_head(path).facets;
+  SurfaceData data;
+  data.format = "binary STL";
+  std::ifstream in(path, std::ios::binary);
+  in.seekg(kStlHeader);
+  std::array<char, kStlFacet> bytes{};
+  for (std::size_t k = 0; k < facets && in.read(bytes.data(), bytes.size()); ++k) {
+    std::array<float, 9> corners{};
+    std::memcpy(corners.data(), bytes.data() + kNormal, sizeof corners);
+    const auto first = static_cast<std::uint32_t>(data.vertices.size());
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+      data.vertices.emplace_back(corners.at(i), corners.at(i + 1), corners.at(i + 2));
+    }
+    data.faces.push_back({first, first + 1, first + 2});
+  }
+  data.float_step = float_step(data.vertices);
+  return data;
+}
+
 SurfaceData read_exactly(const fs::path& path, const std::string& extension) {
   SurfaceData data;
   std::vector<SoupPolygon> polygons;
@@ -99,10 +122,10 @@ SurfaceData read_mesh_unguarded(const fs::path& path) {
   const bool is_stl = extension == ".stl";
   const bool exact = extension == ".obj" || extension == ".ply" || extension == ".off" ||
                      (is_stl && is_ascii_stl(path));
-  if (is_stl && !exact) check_binary_stl(path);
-  SurfaceData data = exact ? read_exactly(path, extension) : read_with_assimp(path);
-  if (is_stl && !exact) data.format = "binary STL";
-  if (!exact) data.float_step = float_step(data.vertices);
+  SurfaceData data = exact    ? read_exactly(path, extension)
+                     : is_stl ? read_binary_stl(path)
+                              : read_with_assimp(path);
+  if (!exact && !is_stl) data.float_step = float_step(data.vertices);
   if (data.vertices.empty()) {
     throw InvalidInput(
         fmt::format("'{}' holds neither vertices nor faces; it is no {} file, or it "

@@ -137,6 +137,29 @@ void check_ascii_stl(const std::filesystem::path& path, std::istream& in) {
   if (last.rfind("endsolid", 0) != 0) garbled(path, "does not end with 'endsolid'");
 }
 
+/// CGAL makes room for as many corners as a face of an OFF says that it has, whatever it says.
+void check_off(const std::filesystem::path& path, std::istream& in) {
+  const auto size = static_cast<double>(std::filesystem::file_size(path));
+  std::string line;
+  double vertices = -1.0;
+  double number = 0.0;
+  while (std::getline(in, line)) {
+    ++number;
+    std::vector<std::string_view> words =
+        split(std::string_view(line).substr(0, line.find('#')), ' ');
+    if (!words.empty() && words[0].ends_with("OFF")) words.erase(words.begin());
+    if (words.empty()) continue;
+    if (vertices < 0.0) {
+      vertices = to_number(words[0]).value_or(0.0);
+    } else if (vertices > 0.0) {
+      --vertices;
+    } else if (const double corners = to_number(words[0]).value_or(0.0); corners > size) {
+      garbled(path, fmt::format("says in line {} that a face has {} corners", number,
+                                quotable(words[0])));
+    }
+  }
+}
+
 }  // namespace
 
 void read_soup(const std::filesystem::path& path, SoupFormat format, std::vector<Vec3>& vertices,
@@ -146,6 +169,7 @@ void read_soup(const std::filesystem::path& path, SoupFormat format, std::vector
   PlyCounts counts;
   if (format == SoupFormat::ply) counts = PlyHeader(path).read(in);
   if (format == SoupFormat::ascii_stl) check_ascii_stl(path, in);
+  if (format == SoupFormat::off) check_off(path, in);
   in.clear();
   in.seekg(0);
   bool ok = false;

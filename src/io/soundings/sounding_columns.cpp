@@ -32,6 +32,7 @@ constexpr auto kKnownNames = std::to_array<KnownName>({
     {"eastings", Role::x, 2},
     {"east", Role::x, 2},
     {"e", Role::x, 1},
+    {"este", Role::x, 2},
     {"utme", Role::x, 2},
     {"xutm", Role::x, 2},
     {"rechtswert", Role::x, 2},
@@ -40,6 +41,7 @@ constexpr auto kKnownNames = std::to_array<KnownName>({
     {"northings", Role::y, 2},
     {"north", Role::y, 2},
     {"n", Role::y, 1},
+    {"norte", Role::y, 2},
     {"utmn", Role::y, 2},
     {"yutm", Role::y, 2},
     {"hochwert", Role::y, 2},
@@ -62,6 +64,7 @@ constexpr auto kKnownNames = std::to_array<KnownName>({
     {"tiefe", Role::z, 5, true},
     {"profondeur", Role::z, 5, true},
     {"profundidad", Role::z, 5, true},
+    {"prof", Role::z, 5, true},
     {"z", Role::z, 4},
     {"zvalue", Role::z, 4},
     {"elevation", Role::z, 4},
@@ -269,6 +272,16 @@ struct Best {
 }  // namespace
 
 ColumnName column_name(std::string_view name) { return ranked_name(name).name; }
+
+std::string foreign_unit_in(std::string_view text) {
+  constexpr auto kUnits = std::to_array<std::string_view>(
+      {"feet", "foot", "ft", "usft", "ftus", "sft", "fathom", "fathoms", "fms", "cm", "centimetres",
+       "centimeters", "dm", "decimetres", "decimeters", "mm", "millimetres", "millimeters"});
+  for (const std::string& word : words_of(text)) {
+    if (among(kUnits, word)) return word;
+  }
+  return {};
+}
 
 std::optional<SoundingColumns> named_columns(std::string_view header, char separator) {
   const std::vector<std::string_view> fields = split_header(header, separator);

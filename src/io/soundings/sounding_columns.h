@@ -33,6 +33,10 @@ struct ColumnName {
 };
 [[nodiscard]] ColumnName column_name(std::string_view name);
 
+/// The first word of a text that names a unit of length other than the metre ('feet', 'ft',
+/// 'fathoms', 'cm'); empty if none does.
+[[nodiscard]] std::string foreign_unit_in(std::string_view text);
+
 /// The columns as a user names them: a number from 1 on, or a name of the header.
 struct ColumnChoice {
   std::string x = {}, y = {}, z = {};

@@ -9,11 +9,13 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "io/files/crs.h"
 #include "io/files/text.h"
 #include "io/files/units.h"
+#include "io/grids/no_data_values.h"
 #include "io/grids/shoalest_places.h"
 #include "io/soundings/geographic_points.h"
 #include "io/soundings/lattice.h"
@@ -77,7 +79,9 @@ class RowReader {
       line_ = lines.number();
       if (row.empty()) continue;
       if (is_comment(row)) {
-        if (!style_) keep_comment(row);
+        style_
+            ? check_same_columns(row.substr(std::min(row.find_first_not_of("#/%! "), row.size())))
+            : keep_comment(row);
       } else if (row.starts_with('>')) {
         note_stray(row);  // the head of a segment
       } else if (!style_ && !is_first_row(row)) {
@@ -128,6 +132,7 @@ class RowReader {
       if (i < fields.size() && !number_of(fields[i], *style_)) text_before_ = true;
     }
     say_columns(data);
+    warn_of_units(data);
     data.z_unit_m = options_.z_unit_is_given ? std::nullopt : columns_.z_unit_m;
     data.xy_unit_m = columns_.xy_unit_m;
   }
@@ -521,6 +526,43 @@ class RowReader {
     return angle->degrees;
   }
 
+  [[nodiscard]] bool is_own_header(std::string_view text) const {
+    return !header_.empty() && text == header_line_;
+  }
+
+  /// Comments and titles may name a unit that no column does.
+  void warn_of_units(SurfaceData& data) const {
+    if (options_.z_unit_is_given || columns_.z_unit_m) return;
+    std::vector<std::string> texts = comments_;
+    for (const Line& line : before_) texts.push_back(line.text);
+    for (const std::string& text : texts) {
+      const std::string unit = foreign_unit_in(text);
+      if (unit.empty() || is_own_header(text)) continue;
+      data.warnings.push_back(fmt::format(
+          "'{}' speaks of {}, but z is taken as metres; if the depths are not, set <z unit>",
+          quotable(text), unit));
+      return;
+    }
+  }
+
+  /// Files that were put one behind the other may have columns of different orders and units.
+  void check_same_columns(std::string_view row) const {
+    if (row.empty() || is_own_header(row)) return;
+    for (const char separator : {style_->separator, ',', ';', '\t', ' '}) {
+      const std::optional<SoundingColumns> named = named_columns(row, separator);
+      if (!named) continue;
+      const auto places = [](const SoundingColumns& c) {
+        return std::tuple(c.x, c.y, c.z, c.z_is_depth, c.lon_lat, c.z_unit_m.value_or(1.0),
+                          c.xy_unit_m.value_or(1.0));
+      };
+      if (!choice_.given() && places(*named) == places(columns_)) return;
+      throw InvalidInput(fmt::format(
+          "'{}', line {}: '{}' names the columns from here on, not as those before: these are two "
+          "files in one; split it there, or give both the same columns",
+          path_.string(), line_, quotable(row)));
+    }
+  }
+
   void note_stray(std::string_view row) {
     ++strays_;
     if (first_stray_.empty()) first_stray_ = fmt::format("line {}, '{}'", line_, quotable(row));
@@ -536,6 +578,7 @@ class RowReader {
       return number_of(f, *style_).has_value();
     });
     if (begins_as_number || numbers >= 2) refuse(row);
+    check_same_columns(row);
     if (++words_ == 1) first_words_ = line_;
     note_stray(row);
   }
@@ -605,40 +648,29 @@ class RowReader {
   std::string first_stray_;
 };
 
-/// Programs write such numbers for 'no data'.
-bool stands_for_no_depth(double z) {
-  constexpr std::array kUsual = {999.0,   9999.0,  99999.0,     999999.0,
-                                 32767.0, 32768.0, 1'000'000.0, 9999999.0};
-  const double size = std::abs(z);
-  return size >= kLargestCoordinate ||
-         std::find(kUsual.begin(), kUsual.end(), size) != kUsual.end();
-}
-
-/// Leaves out soundings of -9999 and the like that lie far outside all others.
+/// Leaves out soundings of -9999 and the like that lie far outside all others, and says so.
 void drop_fill_values(SurfaceData& data) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  std::map<double, std::size_t> fills;
+  std::map<double, std::size_t> suspects;
   for (const Vec3& v : data.vertices) {
-    if (stands_for_no_depth(v.z())) {
-      ++fills[v.z()];
+    if (no_data_sign(v.z()) != NoDataSign::none) {
+      ++suspects[v.z()];
     } else {
       low = std::min(low, v.z());
       high = std::max(high, v.z());
     }
   }
   if (low > high) return;
-  for (const auto& [value, count] : fills) {
-    const double gap = std::max(value - high, low - value);
-    const bool far = std::abs(value) >= kLargestCoordinate || gap > high - low;
-    if (!far && (gap <= 0.0 || count < 2)) continue;
-    const std::string what = fmt::format(
-        "{} of {} soundings hold a depth of {:.7g}, outside all others ({:.6g} to {:.6g})", count,
-        data.vertices.size(), value, low, high);
-    data.warnings.push_back(
-        what + (far ? ": taken as no data, though the file does not say so"
-                    : fmt::format(": if that means no data, set <nodata value> {:.7g}", value)));
-    if (far) std::erase_if(data.vertices, [v = value](const Vec3& p) { return p.z() == v; });
+  const std::size_t all = data.vertices.size();
+  for (const auto& [value, count] : suspects) {
+    const SuspectValue suspect{value, count, all, low, high};
+    if (is_worth_a_word(suspect)) {
+      data.warnings.push_back(no_data_warning(suspect, "soundings"));
+    }
+    if (is_no_data(suspect)) {
+      std::erase_if(data.vertices, [v = value](const Vec3& p) { return p.z() == v; });
+    }
   }
 }
 

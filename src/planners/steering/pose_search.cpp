@@ -144,16 +144,28 @@ double curve_step_m(double radius_m) {
 
 namespace {
 
-/// Whether clear circles along a path hold all of it.
-bool surely_clear(const DubinsPath& path, const PoseSearchOptions& options) {
-  if (!options.clear_around) return false;
-  // The circles overlap by more than the chords that paths are written in.
-  constexpr double kOverlap = 0.1;
-  const double least = curve_step_m(options.radius_m) / kOverlap;
-  for (double along = 0.0; along <= path.length_m();) {
-    const double clear = options.clear_around(path.at(along).position);
-    if (clear < least) return false;
-    along += (1.0 - 2.0 * kOverlap) * clear;
+/// Goes along the chords that the path would be written in, and ends at the first that leaves the
+/// water. Chords in a clear circle need no test.
+bool chords_stay(const DubinsPath& path, const PoseSearchOptions& options) {
+  constexpr double kInCircle = 0.999;  // off the rounding of its border
+  const double length = path.length_m();
+  const int parts =
+      static_cast<int>(std::max(1.0, std::ceil(length / curve_step_m(options.radius_m))));
+  const auto corner = [&](int k) { return path.at(length * k / parts).position; };
+  std::vector<Vec2> chord{corner(0), corner(0)};
+  for (int k = 0; k < parts;) {
+    // A chord is no longer than its curve.
+    const double clear = kInCircle * options.clear_around(chord[0]) * parts;
+    const int in_circle =
+        clear >= length * (parts - k) ? parts - k : static_cast<int>(clear / length);
+    if (in_circle > 0) {
+      k += in_circle;
+      chord[0] = corner(k);
+      continue;
+    }
+    chord[1] = corner(++k);
+    if (!options.in_water(chord)) return false;
+    chord[0] = chord[1];
   }
   return true;
 }
@@ -169,7 +181,7 @@ bool stays_in_water(const DubinsPath& path, const PoseSearchOptions& options) {
   for (int k = 0; k <= places; ++k) {
     if (!options.place_in_water(path.at(length * k / places).position)) return false;
   }
-  if (surely_clear(path, options)) return true;
+  if (options.clear_around) return chords_stay(path, options);
   return options.in_water(path.points(curve_step_m(options.radius_m)));
 }
 
