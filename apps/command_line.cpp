@@ -156,7 +156,14 @@ void fill_and_check(const std::vector<Registered>& rows, const OptionTable& of_a
     if (r.typed->count() > 0) typed.push_back(r.row);
   }
   check_excludes(table);
-  check_used(typed, chosen_in(table));
+  const auto instead = std::find_if(table.begin(), table.end(), [](const Option& option) {
+    return option.instead_of_choice && value_of(option) != OptionValue(std::string());
+  });
+  if (instead != table.end()) {
+    check_unchosen(typed, *instead);
+  } else {
+    check_used(typed, chosen_in(table));
+  }
 }
 
 /// Runs the command. An error about a field of its rows names the row's flag.

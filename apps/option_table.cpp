@@ -311,6 +311,16 @@ void check_used(const OptionTable& typed, const std::vector<std::string>& chosen
   }
 }
 
+void check_unchosen(const OptionTable& typed, const Option& instead) {
+  for (const Option& option : typed) {
+    const std::vector<std::string>& kept = *instead.instead_of_choice;
+    const bool is_kept = std::find(kept.begin(), kept.end(), long_flag(option)) != kept.end();
+    if (is_kept || (!option.chooses && option.used_by.empty())) continue;
+    throw UsageError(fmt::format("{}: with {} no planner runs; leave one of them out",
+                                 as_typed(option), long_flag(instead)));
+  }
+}
+
 OptionTable joined(std::vector<OptionTable> tables) {
   OptionTable all;
   for (OptionTable& table : tables) {

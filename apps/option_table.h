@@ -67,6 +67,9 @@ struct Option {
   std::vector<std::string> excludes = {};  ///< flags that may not be given together with this one
   std::vector<std::string> used_by = {};   ///< values of the row that `chooses`; empty: all
   bool chooses = false;                    ///< its value or values decide which other rows are used
+  /// Where it is given, nothing is chosen, and of the rows that hang on the choice only those of
+  /// these flags are used.
+  std::optional<std::vector<std::string>> instead_of_choice = {};
 };
 using OptionTable = std::vector<Option>;
 
@@ -105,6 +108,9 @@ using OptionTable = std::vector<Option>;
 /// The row, whose value decides which others are used, as --planner.
 [[nodiscard]] Option chooser(Option option);
 /// The row, which is used where one of these is chosen.
+/// @throws UsageError that names a typed row that chooses, or hangs on the choice, where `instead`
+/// leaves nothing to choose.
+void check_unchosen(const OptionTable& typed, const Option& instead);
 [[nodiscard]] Option used_by(std::vector<std::string> chosen, Option option);
 
 /// Tables one after the other.

@@ -227,8 +227,8 @@ Option profile_option(std::string& profile) {
     }
     help += ");";
   }
-  help.back() = ' ';
-  help += "a file of such lines as --config is a profile of your own";
+  help.back() = '.';
+  help += " A file of such lines for --config is a profile of your own";
   return choice("--profile", "Profile", profile, names, help, "profile");
 }
 
@@ -413,7 +413,7 @@ constexpr std::array kUsedBy{
     Usage{"--cover", "edge-following fitted-lines"},
     Usage{"--counted", "back-and-forth edge-following nuc mdnuc fitted-lines"},
     Usage{"--angles", "back-and-forth edge-following multi-depth fitted-lines"},
-    Usage{"--least-line", "back-and-forth multi-depth fitted-lines"},
+    Usage{"--least-line", "back-and-forth edge-following multi-depth fitted-lines"},
     Usage{"--line-margin", "edge-following fitted-lines"},
     Usage{"--spacing", "back-and-forth multi-depth"},
     Usage{"--overlap", "back-and-forth multi-depth"},
@@ -548,10 +548,12 @@ OptionTable job_options(JobChoice& o) {
                      "Plan with the lines of this route: they stay, their order and joins are made "
                      "anew; no planner runs",
                      "keep_file");
+  keep.instead_of_choice.emplace();
   Option beside = text("--beside", lines, o.beside,
                        "Lines beside those of this file, on both sides, or around its points and "
                        "polygons; or around X,Y (coordinates of FILE); no planner runs",
                        "beside");
+  beside.instead_of_choice = {"--spacing", "--least-line"};
   Option battery = real("--battery", job, o.battery_wh, "watt-hours", above(0.0),
                         "What a sortie may draw, watt-hours (with --power)", "battery_wh");
   return {keep,

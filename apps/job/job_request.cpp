@@ -146,10 +146,13 @@ std::optional<Vec2> berth_in(const Site& site, const JobRequest& request, const 
   const BerthPlace found = berth_place(berth, site.ground(nullptr), vehicle);
   if (found.lies == BerthPlace::Lies::in_safe_water) return found.place;
   if (found.lies == BerthPlace::Lies::off_it) {
+    constexpr double kOtherCoordinates = 100e3;
     throw UsageError(fmt::format(
         "--berth {}: no boat lies there: it is on land, off the data, in water shoaler than {:g} m "
-        "or in a no-go area; the nearest safe water is {:.1f} m away, at {}",
-        request.berth_text, safe_depth_m(vehicle), found.apart_m, place_text(site, found.place)));
+        "or in a no-go area; the nearest safe water is {:.1f} m away, at {}{}",
+        request.berth_text, safe_depth_m(vehicle), found.apart_m, place_text(site, found.place),
+        found.apart_m > kOtherCoordinates ? "; give it in the coordinates of the seafloor's file"
+                                          : ""));
   }
   notes.push_back(fmt::format(
       "the berth {} lies nearer to a wall, a shoal or a no-go area than --clearance {:g} allows: "

@@ -154,26 +154,9 @@ std::vector<ExportedRoute> write_sorties(const std::filesystem::path& folder, co
   return exported;
 }
 
-/// Lines beside others are spaced too, so the row of --spacing does not ask for the planner alone.
-void check_spacing_used(const PlanCommand& command) {
-  if (!command.survey.planning.spacing_m || !command.job.beside.empty()) return;
-  PlanCommand typed = command;
-  check_used(only(planning_options(typed.survey.planning), {"--spacing"}), {command.planner});
-}
-
-/// The rows of planning, of which --spacing is checked in run().
-OptionTable rows_of_planning(PlanningChoice& planning) {
-  OptionTable table = planning_options(planning);
-  for (Option& option : table) {
-    if (option.flag == "--spacing") option.used_by.clear();
-  }
-  return table;
-}
-
 void run(const PlanCommand& command) {
   // Everything typed is resolved and checked before any work.
   static_cast<void>(planner(command.planner));
-  check_spacing_used(command);
   const Survey survey = survey_of(command.survey);
   const JobRequest request =
       job_request(command.job, command.survey.planning.spacing_m, survey.vehicle);
@@ -236,7 +219,7 @@ Command plan_command() {
           "Plan a survey with one planner: route, score, report",
           joined({site_rows(*command), scoring_options(command->survey),
                   criteria_options(command->survey.criteria), own_options(*command),
-                  rows_of_planning(command->survey.planning), job_options(command->job),
+                  planning_options(command->survey.planning), job_options(command->job),
                   exporting_options(command->exports), output_options(command->output)}),
           [command] { run(*command); },
           {}};

@@ -113,8 +113,8 @@ void check_spacing(const RowSpacing& rows) {
 void check_rows(const Area& block, double spacing_m) {
   if (block.empty() || extent(block).size().norm() <= kMostRows * spacing_m) return;
   throw UsageError(fmt::format(
-      "lines {:.3g} m apart would be more than {:g} over the area; give a larger <spacing>, or "
-      "space them by deeper water with <spacing depth>",
+      "lines {:.3g} m apart would be more than {:g} over the area; give a larger <spacing> or a "
+      "smaller <overlap>, or space them by deeper water with <spacing depth>",
       spacing_m, kMostRows));
 }
 

@@ -19,8 +19,9 @@ using test::text_of;
 
 /// Back and forth over the sample harbour in coarse cells: about a second.
 std::string harbour_job(const std::string& more) {
-  return "plan " + dataset("harbour.asc") +
-         " --planner back-and-forth --resolution 0.5 --ping-spacing 2 --hit-only --max-opening 130 "
+  const bool plans = more.find("--keep") == std::string::npos;
+  return "plan " + dataset("harbour.asc") + (plans ? " --planner back-and-forth" : "") +
+         " --resolution 0.5 --ping-spacing 2 --hit-only --max-opening 130 "
          "--vehicle small-usv --clearance 1.5 " +
          more;
 }
@@ -193,6 +194,9 @@ TEST(Job, TwoBoatsShareTheLinesThatWereKept) {
         .get<double>();
   };
   EXPECT_NEAR(logged("two"), logged("one"), 0.03 * logged("one"));
+  const auto unused = folder.run(harbour_job("--keep one/route.csv --planner nuc -o three"));
+  EXPECT_EQ(unused.code, 2);
+  EXPECT_THAT(unused.err, HasSubstr("--planner nuc: with --keep no planner runs"));
   const auto missing = folder.run(harbour_job("--keep nothing.csv -o three"));
   EXPECT_EQ(missing.code, 1);
   EXPECT_NE(missing.err.find("nothing.csv"), std::string::npos);

@@ -35,7 +35,9 @@ int shade_at(const DepthField& field, std::uint32_t c, std::uint32_t r, double e
 }
 
 bool on_isobath(const DepthField& field, std::uint32_t c, std::uint32_t r, double interval) {
-  const auto step = [&](double depth) { return std::floor(depth / interval); };
+  // Ground that is level at an isobath's depth lies to its one side, whatever rounding says.
+  constexpr double kRounding = 1e-3;
+  const auto step = [&](double depth) { return std::floor((depth + kRounding) / interval); };
   const double here = step(field.at(c, r));
   const double right = field.at(c + 1, r), below = field.at(c, r + 1);
   return (!std::isnan(right) && step(right) != here) || (!std::isnan(below) && step(below) != here);
