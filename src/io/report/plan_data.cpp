@@ -177,7 +177,7 @@ Json times_json(const std::vector<double>& seconds) {
 }
 
 Json leg_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen,
-              const SailedLeg& sailed) {
+              const SailedLeg& sailed, std::size_t index) {
   const Route& route = *plan.route;
   const Waypoint& first = route.waypoints[sailed.leg.first];
   const Frame& frame = site.seafloor->frame;
@@ -193,6 +193,10 @@ Json leg_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen,
            {"length_m", rounded(sailed.length_m)},
            {"depth_m", depths_below(route, sailed, *site.depths)}};
   leg.update(settings_along(route, sailed.leg));
+  const std::vector<LegWater>& water = plan.record->water;
+  const auto under_keel =
+      index < water.size() ? water[index].under_keel_m : std::optional<double>();
+  leg["under_keel_m"] = under_keel ? Json(rounded(*under_keel)) : Json();
   if (!first.feasible) leg["infeasible"] = 1;
   leg["points"] = pen.line(sailed.points);
   leg["times"] = times_json(sailed.seconds);
@@ -206,7 +210,7 @@ Json legs_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen, d
   const double step = std::max(plan.grid->resolution_m(), length_m(route) / stations);
   Json out = Json::array();
   for (const SailedLeg& sailed : sailed_legs(route, tolerance_m, kLargestPath / count)) {
-    out.push_back(leg_json(plan, site, pen, sailed));
+    out.push_back(leg_json(plan, site, pen, sailed, out.size()));
     const Waypoint& first = route.waypoints[sailed.leg.first];
     if (!first.log || !first.fan) continue;
     const Ring swath = swath_outline(route, sailed.leg, *site.depths, plan.record->sonar,
