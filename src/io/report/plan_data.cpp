@@ -7,6 +7,7 @@
 #include "io/report/plan_data_internal.h"
 #include "io/report/sailed_legs_internal.h"
 #include "io/report/swath_internal.h"
+#include "io/results/job_json.h"
 #include "io/results/score_figures.h"
 #include "io/results/verdict_json.h"
 #include "planners/pareto.h"
@@ -279,6 +280,8 @@ Json plan_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen, d
           {"figures", score_figures(score)},
           {"legs", legs_json(plan, site, pen, tolerance_m, count)},
           {"along", along_json(plan, site)},
+          {"job",
+           plan.record->job ? job_json(*plan.record->job, plan.record->job_files, frame) : Json()},
           {"holidays", holidays_json(score.holidays, pen, frame, tolerance_m)},
           {"violations", violations_json(plan, pen, frame)},
           {"choices", choices_json(*plan.record)},
