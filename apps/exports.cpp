@@ -108,8 +108,7 @@ ExportOptions sailable_exports(const Route& route, const AreaQuery* water,
   why = fmt::format(
       "no {} was written: {:.0f} m of the way between lines are marked infeasible{}, and a vehicle "
       "would sail them; {} can be had",
-      fmt::join(left_out, ", "), astray,
-      water != nullptr ? " and lead over land or through a no-go area" : "",
+      fmt::join(left_out, ", "), astray, water != nullptr ? " and lead outside the safe water" : "",
       fmt::join(others, ", "));
   return kept;
 }

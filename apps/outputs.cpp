@@ -59,7 +59,7 @@ void write_survey(const std::filesystem::path& folder, const PlannedSurvey& surv
   if (!site.hazards.list.empty()) write_hazards_geojson(folder, site.hazards, frame);
   if (site.is_timed()) {
     write_text_atomically(folder / "water.csv",
-                          legs_csv(survey.plan.route, survey.water, site.departure_s));
+                          legs_csv(survey.plan.route, survey.record.water, site.departure_s));
   }
   if (survey.judged) {
     write_tvu_tif(folder / "tvu.tif", survey.judged->raster, frame);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "coverage/route/over_land.h"
 #include "coverage/route/ping_clock.h"
 #include "coverage/standards/criterion_fan.h"
 #include "io/files/crs.h"
@@ -343,21 +344,25 @@ void note_water(const std::vector<LegWater>& legs, const Site& site, const Route
 
 PlannedSurvey recorded(const std::string& planner, const std::string& label, Plan plan,
                        ScoredRoute scored, const Site& site, const Survey& survey) {
-  std::vector<LegWater> water;
-  if (site.is_timed()) {
-    water = water_of_legs(plan.route, survey.vehicle, *site.depths,
-                          {site.tide.get(), site.departure_s});
-    note_water(water, site, plan.route, survey.vehicle, plan.notes);
-  }
-  if (const double unknown = scored.score.route.unknown_depth_m; unknown >= 1.0) {
+  std::vector<LegWater> water =
+      water_of_legs(plan.route, survey.vehicle, *site.depths, {site.tide.get(), site.departure_s});
+  add_water(plan.route, water, scored.score.route);
+  if (site.is_timed()) note_water(water, site, plan.route, survey.vehicle, plan.notes);
+  if (const double land = scored.score.route.over_land_m; land > kTouchM) {
     plan.notes.push_back(fmt::format(
-        "{:.0f} m of the route lead where the data hold no depth: over land, or over ground that "
-        "nobody has sounded; check them on a chart",
-        unknown));
+        "{:.1f} m of the route lead over land or through no-go areas: such legs are marked "
+        "infeasible and must not be sailed",
+        land));
   }
-  PlannedSurvey result{plan_record(plan, survey.sonar, survey.vehicle, site.water), std::move(plan),
-                       std::move(scored)};
-  result.water = std::move(water);
+  if (const double unknown = scored.score.route.over_unknown_m; unknown >= 1.0) {
+    plan.notes.push_back(
+        fmt::format("{:.0f} m of the route lead over ground that the data do not tell of: nobody "
+                    "has sounded it, or it is land; check them on a chart",
+                    unknown));
+  }
+  PlannedSurvey result{plan_record(plan, survey.sonar, survey.vehicle, site.water, site.land),
+                       std::move(plan), std::move(scored)};
+  result.record.water = std::move(water);
   result.record.planner = planner;
   result.record.label = label;
   result.record.pings = survey.scoring.pings;
@@ -418,6 +423,7 @@ Plan made_plan(const Planner& planner, const Site& site, const Survey& survey,
 PlannedSurvey scored_plan(const std::string& name, const std::string& label, Plan plan,
                           const Site& site, const Survey& survey, const Scorer& scorer,
                           bool one_sortie) {
+  mark_over_land(plan.route, site.land);
   ScoredRoute scored = scorer.score("scoring", plan.route);
   note_corners(scored.score.route, survey.vehicle, plan.notes);
   if (one_sortie) note_endurance(scored.score.route, survey.vehicle, plan.notes);

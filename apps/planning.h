@@ -30,7 +30,6 @@ struct PlannedSurvey {
   ScoredRoute scored;
   double planning_seconds = 0.0;
   std::optional<JudgedSurvey> judged = std::nullopt;  ///< by the survey's criterion, if it has one
-  std::vector<LegWater> water = {};  ///< of its legs, where the site has a tide or a departure
 };
 /// Records a scored plan under its name and label, with the notes of the plan, then of the site.
 [[nodiscard]] PlannedSurvey recorded(const std::string& planner, const std::string& label,

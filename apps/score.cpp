@@ -8,6 +8,7 @@
 #include "apps/site_command.h"
 #include "apps/watch/terminal_watch.h"
 #include "coverage/route/leg_table.h"
+#include "coverage/route/over_land.h"
 #include "io/results/score_json.h"
 #include "io/route/read_route.h"
 #include "mesh/base/error.h"
@@ -115,6 +116,7 @@ void run(const ScoreCommand& command) {
     plan.notes.insert(plan.notes.end(), route.leg_notes.begin(), route.leg_notes.end());
   }
   plan.notes.insert(plan.notes.end(), route.notes.begin(), route.notes.end());
+  mark_over_land(plan.route, site->land);
   const Scorer scorer(*site, survey, Watch(watch));
   ScoredRoute scored = scorer.score("scoring", plan.route);
   note_beyond_data(scored.score, plan.notes);

@@ -210,6 +210,12 @@ Area limited_area(const Site& site, const SurveyAreaOptions& bounds,
   }
 }
 
+/// What must not be sailed over, known from the data or typed.
+Area known_land(const Site& site) {
+  if (site.imported.land.empty()) return site.no_go;
+  return site.no_go.empty() ? site.imported.land : unite(site.imported.land, site.no_go);
+}
+
 /// The strip along the data's outer edge, `margin_m` wide. Holes in the data count as land.
 Area beyond_the_edge(const Seafloor& seafloor, double margin_m) {
   Area filled;
@@ -341,6 +347,7 @@ std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehic
   };
   site->no_go = bounds.no_go = kept_off(options.no_go, false);
   site->keep_off = kept_off(options.keep_off, true);
+  site->land = known_land(*site);
   site->survey_area = bounds.limit ? limited_area(*site, bounds, options.area)
                                    : survey_area(site->seafloor(), bounds);
   SurveyAreaOptions anywhere = bounds;
@@ -348,7 +355,7 @@ std::unique_ptr<Site> load_site(const SiteOptions& options, const Vehicle& vehic
   Area sailable = bounds.limit ? survey_area(site->seafloor(), anywhere) : site->survey_area;
   if (options.run_out_margin_m > 0.0) {
     const Area strip = beyond_the_edge(site->seafloor(), options.run_out_margin_m);
-    sailable = subtract(unite(sailable, strip), site->no_go);
+    sailable = subtract(unite(sailable, strip), site->land);
   }
   if (!site->keep_off.empty()) sailable = subtract(sailable, site->keep_off);
   site->water = offset(sailable, -vehicle.clearance_m);

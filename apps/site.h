@@ -18,6 +18,7 @@ struct Site {
   Area survey_area;  ///< cells that count; of a survey that is covered in part, the rest
   Area water;        ///< safe for the boat: deep enough, clear of walls and no-go
   Area no_go;
+  Area land;                       ///< known: above the water in the data, and no_go
   Area keep_off;                   ///< not sailed over, but its cells count
   Hazards hazards;                 ///< near the survey; part of no_go or of keep_off
   std::vector<AreaPart> parts;     ///< the polygons that were asked for, where there are several
@@ -36,6 +37,7 @@ struct Site {
   /// What routes of the site are planned and scored on. Without a scene planners cannot simulate.
   [[nodiscard]] Ground ground(const RayScene* scene) const {
     Ground ground{&imported.seafloor, depths.get(), survey_area, water, scene};
+    ground.land = land;
     if (covered) ground.lattice = covered->grid().origin();
     return ground;
   }

@@ -12,6 +12,7 @@
 #include "apps/outputs.h"
 #include "apps/site_command.h"
 #include "apps/watch/terminal_watch.h"
+#include "coverage/route/over_land.h"
 #include "io/results/score_json.h"
 #include "io/route/read_route.h"
 #include "io/route/route_csv.h"
@@ -122,6 +123,7 @@ PlannedJob planned_job(const PlanCommand& command, const JobRequest& request, co
     Job made = whole_job(plan.route, scorer.ground(), how, job);
     plan.route = std::move(made.route);
     routes = std::move(made.routes);
+    for (Route& sortie : routes) mark_over_land(sortie, site.land);
     summary = std::move(made.summary);
     stems = sortie_stems(*summary);
     notes.insert(notes.end(), made.notes.begin(), made.notes.end());

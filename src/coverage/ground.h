@@ -21,6 +21,8 @@ struct Ground {
   /// A corner that scoring cells lie at; empty: that of the area's bounding box. Grids over parts
   /// of one area then have cells in common.
   std::optional<Vec2> lattice = {};
+  /// Known land and no-go, outside the water. Ground that nobody has sounded is no part of it.
+  Area land = {};
 };
 
 }  // namespace swathplan

@@ -283,7 +283,7 @@ ScoredRoute score(const Route& route, const Ground& ground, const Sonar& sonar,
                                                    .outline_corners = options.outline_corners});
   });
   figures.route = route_figures(route, vehicle, ground.water, *ground.depths,
-                                figures.survey_area_m2, figures.footprint_width_m);
+                                figures.survey_area_m2, figures.footprint_width_m, ground.land);
   return result;
 }
 

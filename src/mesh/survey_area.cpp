@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
 #include "mesh/base/error.h"
@@ -68,6 +69,18 @@ Area without_dust(Area area) {
 
 Area outline(const Seafloor& seafloor) {
   return without_dust(from_rings(boundary_rings(seafloor), true));
+}
+
+Area above_level(const Seafloor& seafloor, double z) {
+  const auto is_above = [&](std::uint32_t v) { return seafloor.vertices[v].z() > z; };
+  // What is above lies below in the mirror, and only faces that reach above count.
+  Seafloor mirrored;
+  mirrored.vertices = seafloor.vertices;
+  for (Vec3& v : mirrored.vertices) v.z() = -v.z();
+  std::copy_if(
+      seafloor.faces.begin(), seafloor.faces.end(), std::back_inserter(mirrored.faces),
+      [&](const Seafloor::Face& face) { return std::any_of(face.begin(), face.end(), is_above); });
+  return outline(below_level(mirrored, -z));
 }
 
 Area survey_area(const Seafloor& seafloor, const SurveyAreaOptions& options) {

@@ -17,6 +17,9 @@ struct SurveyAreaOptions {
 /// Outline of the seafloor in plan, with its holes: the border loops of the mesh, united.
 [[nodiscard]] Area outline(const Seafloor& seafloor);
 
+/// The outline of what lies above `z` (metres, local frame): at the water level, land.
+[[nodiscard]] Area above_level(const Seafloor& seafloor, double z);
+
 /// The survey area: the outline of the seafloor inside `limit`, less no-go, less water shoaler than
 /// `safe_depth_m`. It may have several separate parts, the largest first.
 /// @throws InvalidInput if nothing is left; the message says which condition took the last of it.

@@ -128,6 +128,28 @@ TEST(ReportPage, OfSeveralPlansWorksOnAScreenOnAPhoneAndOnPaper) {
   expect_works(folder, compared(folder));
 }
 
+TEST(ReportPage, OfAWholeJobHasItsBoatsSortiesAndPatchTest) {
+  if (!test::has_chromium()) GTEST_SKIP() << "skipped: chromium is not installed";
+  const Folder folder;
+  const auto run = folder.run("plan" + kHarbour +
+                              "--planner back-and-forth --berth 150,200 --boats 2 --cross-lines 5 "
+                              "--patch-test -o job");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::filesystem::path page = folder / "job" / "report.html";
+  expect_works(folder, page);
+  const std::string dom = Chromium(folder).dom(page);
+  const auto plan = test::json_of(folder / "job" / "plan.json");
+  for (const auto& sortie : plan.at("job").at("sorties")) {
+    const int boat = sortie.at("boat");
+    EXPECT_TRUE(has(dom, "Boat " + std::to_string(boat) + ", sortie 1</button>")) << boat;
+  }
+  for (const auto& test : plan.at("job").at("patch_test")) {
+    const std::string reason = test.at("reason");
+    EXPECT_TRUE(has(dom, reason)) << reason;
+  }
+  EXPECT_TRUE(has(dom, "Under keel")) << "the least water of each line";
+}
+
 TEST(ReportPage, ShowsTheNumbersOfScoreJson) {
   if (!test::has_chromium()) GTEST_SKIP() << "skipped: chromium is not installed";
   const Folder folder;

@@ -57,6 +57,50 @@ TEST_F(Water, ATideTellsWhatIsUnderTheKeelOfEachLeg) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out" / "water.csv"));
 }
 
+// 80 x 40 m, 5 m deep; an islet of 8 x 8 m stands in the west, in the east lie 8 x 8 m without
+// data.
+TEST_F(Water, LandIsToldFromGroundThatNobodySounded) {
+  std::string grid =
+      "ncols 80\nnrows 40\nxllcorner 500000\nyllcorner 6000000\ncellsize 1\n"
+      "NODATA_value -9999\n";
+  for (int row = 0; row < 40; ++row) {
+    for (int x = 0; x < 80; ++x) {
+      const bool inner = row >= 16 && row < 24;
+      grid += inner && x >= 20 && x < 28 ? "2 " : inner && x >= 50 && x < 58 ? "-9999 " : "-5 ";
+    }
+    grid += "\n";
+  }
+  folder.write("islet.asc", grid);
+  const auto scored = [&](const std::string& from, const std::string& to) {
+    folder.write("way.csv", "x_m,y_m,kind\n" + from + ",6000020,line\n" + to + ",6000020,end\n");
+    const auto run = folder.run(
+        "score islet.asc way.csv --crs EPSG:32633 --hit-only --beams 64 "
+        "--resolution 1 -o scored");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.err;
+  };
+  // Over ground without data: a warning.
+  EXPECT_THAT(scored("500040", "500070"), HasSubstr("over ground that the data do not tell of"));
+  auto figures = json_of(folder / "scored" / "score.json");
+  EXPECT_EQ(figures["over_land_m"], 0.0);
+  EXPECT_NEAR(figures["over_unknown_m"].get<double>(), 9.0, 2.1);
+  EXPECT_EQ(figures["infeasible_legs"], 0);
+  // Over land: an error, and no mission.
+  EXPECT_THAT(scored("500010", "500040"), HasSubstr("lead over land or through no-go areas"));
+  figures = json_of(folder / "scored" / "score.json");
+  EXPECT_NEAR(figures["over_land_m"].get<double>(), 8.0, 1.0);
+  EXPECT_EQ(figures["over_unknown_m"], 0.0);
+  EXPECT_EQ(figures["infeasible_legs"], 1);
+  EXPECT_THAT(text_of(folder / "scored" / "report.html"),
+              HasSubstr("leads over land or through a no-go area"));
+  const auto kept = folder.run(
+      "plan islet.asc --keep way.csv --crs EPSG:32633 --hit-only --beams 64 "
+      "--resolution 1 --export plan,lnw -o kept");
+  EXPECT_EQ(kept.code, 0) << kept.err;
+  EXPECT_THAT(kept.err, HasSubstr("no plan was written"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "kept" / "route.plan"));
+}
+
 TEST_F(Water, TablesAndTimesThatCannotBeUsedAreNamed) {
   folder.write("gap.csv",
                "2026-05-01T06:00,1\n2026-05-01T07:00,1\n2026-05-01T08:00,1\n2026-05-01T14:00,1\n");

@@ -49,6 +49,14 @@ TEST(SurveyArea, ShoalGroundIsWhatTheSafeDepthTakes) {
   EXPECT_TRUE(shoal_ground(floor, options).empty()) << "no safe depth, so nothing is too shoal";
 }
 
+TEST(SurveyArea, LandIsWhatLiesAboveTheLevel) {
+  // Depth 2 + x tan(45): 5 m is reached at x = 3, so 3 m of ground lie above it.
+  const Area land = above_level(tilted(20, 10, 2.0, Angle::degrees(45)), -5.0);
+  EXPECT_NEAR(area_m2(land), 3 * 10, 0.02);
+  EXPECT_TRUE(contains(land, {1, 5}));
+  EXPECT_TRUE(above_level(flat(20, 10, 5), 0.0).empty());
+}
+
 TEST(SurveyArea, LimitAndNoGoApply) {
   const Seafloor floor = flat(100, 100, 10);
   const Area area = survey_area(

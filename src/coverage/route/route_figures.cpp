@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "coverage/route/bends.h"
+#include "coverage/route/over_land.h"
 #include "mesh/plane/area_query.h"
 #include "mesh/plane/path_meetings.h"
 #include "mesh/plane/segments.h"
@@ -129,24 +130,26 @@ double outside_m(const std::vector<Vec2>& points, const Area& water) {
 
 struct DepthsBelow {
   double least_m = kInfinity;
-  double unknown_m = 0.0;  // path outside the water and without a depth
+  double unknown_m = 0.0;  // path outside the water and the land, and without a depth
 };
 
 DepthsBelow depths_below(const std::vector<Vec2>& points, const Area& water,
-                         const DepthQuery& depths) {
+                         const DepthQuery& depths, const Area& land) {
   const AreaQuery query(water);
+  const AreaQuery ashore(land);
   DepthsBelow below;
   // Beyond data and water there is nothing to look at, however long a leg runs there.
   Box2 known = depths.extent();
-  if (!water.empty()) {
-    known.extend(extent(water).min);
-    known.extend(extent(water).max);
+  for (const Area* area : {&water, &land}) {
+    if (area->empty()) continue;
+    known.extend(extent(*area).min);
+    known.extend(extent(*area).max);
   }
   // Each look-up stands for `length` metres of path.
   const auto look = [&](const Vec2& p, double length) {
     if (const auto depth = depths.depth(p)) {
       below.least_m = std::min(below.least_m, *depth);
-    } else if (!query.contains(p)) {
+    } else if (!query.contains(p) && !ashore.contains(p)) {
       below.unknown_m += length;
     }
   };
@@ -169,7 +172,7 @@ DepthsBelow depths_below(const std::vector<Vec2>& points, const Area& water,
 
 RouteFigures route_figures(const Route& route, const Vehicle& vehicle, const Area& water,
                            const DepthQuery& depths, double survey_area_m2,
-                           double footprint_width_m) {
+                           double footprint_width_m, const Area& land) {
   RouteFigures figures;
   add_lengths(route, figures);
   for (const Leg& leg : legs(route))
@@ -189,10 +192,13 @@ RouteFigures route_figures(const Route& route, const Vehicle& vehicle, const Are
   figures.shared_stretches = meetings.shared_stretches;
   figures.shared_m = meetings.shared_m;
   figures.outside_water_m = outside_m(points, water);
-  const DepthsBelow below = depths_below(points, water, depths);
-  figures.unknown_depth_m = std::min(below.unknown_m, figures.outside_water_m);
-  figures.min_under_keel_m =
-      figures.unknown_depth_m > 0.0 ? kInfinity : below.least_m - vehicle.draft_m;
+  // Land lies outside the water: of a route that keeps to the water nothing leads over it.
+  const Area ashore = figures.outside_water_m > 0.0 ? land : Area{};
+  figures.over_land_m = std::min(over_land_m(points, AreaQuery(ashore)), figures.outside_water_m);
+  const DepthsBelow below = depths_below(points, water, depths, ashore);
+  figures.over_unknown_m = std::min(below.unknown_m, figures.outside_water_m - figures.over_land_m);
+  const bool known = figures.over_land_m + figures.over_unknown_m == 0.0;
+  figures.min_under_keel_m = known ? below.least_m - vehicle.draft_m : kInfinity;
   return figures;
 }
 

@@ -12,6 +12,15 @@
 
 namespace swathplan {
 
+/// The leg of a route with the least water under the keel.
+struct LeastWater {
+  std::size_t leg = 0;  ///< from 1, in sailing order
+  LegKind kind = LegKind::line;
+  std::optional<int> line;
+  double under_keel_m = 0.0;
+  double start_s = 0.0;  ///< since the start of the route
+};
+
 /// What can be said of a route without a sonar. A waypoint nearer than kCoincident to the one
 /// before does not count as a bend.
 struct RouteFigures {
@@ -32,11 +41,15 @@ struct RouteFigures {
   std::size_t shared_stretches = 0;  ///< places where the path runs along itself
   double shared_m = 0.0;             ///< metres sailed along earlier stretches
   double outside_water_m = 0.0;      ///< path outside the water or inside no-go
-  double unknown_depth_m = 0.0;  ///< of that, where the data hold no depth: land, or beyond them
+  double over_land_m = 0.0;          ///< of that, over known land or inside no-go
+  double over_unknown_m = 0.0;       ///< of that, over ground that the data do not tell of
   /// Least depth below the path, less the draft. Infinite where it cannot be known: without any
-  /// depth below the path, or where unknown_depth_m is above 0.
+  /// depth below the path, or where over_land_m or over_unknown_m is above 0.
   double min_under_keel_m = 0.0;
-  double duration_s = 0.0;  ///< length over each leg's speed
+  /// Legs of which the water is known, at the tide of the time (coverage/water/leg_water.h).
+  std::optional<LeastWater> least_water;
+  std::map<int, double> under_keel_by_line_m;  ///< line number -> metres
+  double duration_s = 0.0;                     ///< length over each leg's speed
   std::map<std::string, double> duration_by_kind_s;
   std::map<int, double> duration_by_line_s;  ///< line number -> seconds
   double contingency_s = 0.0;                ///< allowance: the vehicle's share of the duration
@@ -60,11 +73,13 @@ inline constexpr double kCurveGapM = 3.0;
 /// The depth below the path is looked up at each waypoint and at least this often between, metres.
 inline constexpr double kDepthStepM = 1.0;
 
-/// `water`: where the boat may be (outline of the data deep enough, less no-go).
+/// `water`: where the boat may be (outline of the data deep enough, less no-go). `land`: known land
+/// and no-go.
 /// `footprint_width_m`: W, for the length ratio over `survey_area_m2`.
 [[nodiscard]] RouteFigures route_figures(const Route& route, const Vehicle& vehicle,
                                          const Area& water, const DepthQuery& depths,
-                                         double survey_area_m2, double footprint_width_m);
+                                         double survey_area_m2, double footprint_width_m,
+                                         const Area& land = {});
 
 /// What to say of a mission that does not fit into the vehicle's endurance, contingency included.
 /// One sentence without a full stop; empty if the mission fits.

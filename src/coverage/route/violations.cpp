@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coverage/route/bends.h"
+#include "coverage/route/over_land.h"
 #include "coverage/route/route_figures.h"
 #include "mesh/plane/area_query.h"
 
@@ -31,13 +32,20 @@ Vec2 halfway(const Route& route, std::size_t first, std::size_t last) {
   return route.waypoints[last].position;
 }
 
-void add_infeasible(const Route& route, std::vector<Violation>& list) {
+void add_infeasible(const Route& route, const Area& land, std::vector<Violation>& list) {
+  const AreaQuery query(land);
+  const std::vector<Vec2> points = positions(route.waypoints);
   for (const Leg& leg : legs(route)) {
     if (route.waypoints[leg.first].feasible) continue;
+    const auto begin = points.begin();
+    const double over_land = over_land_m({begin + static_cast<std::ptrdiff_t>(leg.first),
+                                          begin + static_cast<std::ptrdiff_t>(leg.last) + 1},
+                                         query);
     list.push_back({.kind = ViolationKind::infeasible,
                     .first = leg.first,
                     .last = leg.last,
-                    .length_m = length_of(route, leg.first, leg.last)});
+                    .length_m = length_of(route, leg.first, leg.last),
+                    .over_land_m = over_land > kTouchM ? over_land : 0.0});
   }
 }
 
@@ -106,9 +114,10 @@ std::string_view name(ViolationKind kind) {
   return {};
 }
 
-std::vector<Violation> violations(const Route& route, const Vehicle& vehicle, const Area& water) {
+std::vector<Violation> violations(const Route& route, const Vehicle& vehicle, const Area& water,
+                                  const Area& land) {
   std::vector<Violation> list;
-  add_infeasible(route, list);
+  add_infeasible(route, land, list);
   add_outside(route, water, list);
   add_tight(route, vehicle.turn_radius_m, list);
   for (Violation& v : list) v.position = halfway(route, v.first, v.last);
@@ -118,6 +127,9 @@ std::vector<Violation> violations(const Route& route, const Vehicle& vehicle, co
 std::string reason(const Violation& v, const Route& route, const Vehicle& vehicle) {
   switch (v.kind) {
     case ViolationKind::infeasible: {
+      if (v.over_land_m > 0.0) {
+        return fmt::format("leads over land or through a no-go area for {:.1f} m", v.over_land_m);
+      }
       const LegKind leg = route.waypoints[v.first].kind;
       if (leg == LegKind::turn || leg == LegKind::transit) {
         return fmt::format("no forward way with turns of {:g} m stays in safe water",

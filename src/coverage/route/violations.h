@@ -25,13 +25,14 @@ struct Violation {
   double length_m = 0.0;            ///< the part of the stretch that violates
   Vec2 position = Vec2::Zero();     ///< halfway along the stretch, local metres
   double radius_m = 0.0;            ///< of a tight turn: its smallest, as in bends.h
+  double over_land_m = 0.0;         ///< of an infeasible stretch: over land or no-go
 };
 
 /// All violations of a route: infeasible legs first, then stretches outside the water, then tight
 /// turns; each kind in sailing order. Guarantees: (1) as many infeasible ones as
 /// RouteFigures::infeasible_legs; (2) the lengths outside the water add up to outside_water_m.
 [[nodiscard]] std::vector<Violation> violations(const Route& route, const Vehicle& vehicle,
-                                                const Area& water);
+                                                const Area& water, const Area& land = {});
 
 /// What is wrong with the stretch, in words for the user, without a full stop.
 [[nodiscard]] std::string reason(const Violation& violation, const Route& route,

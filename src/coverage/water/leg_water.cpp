@@ -86,4 +86,22 @@ std::vector<LegWater> water_of_legs(const Route& route, const Vehicle& vehicle,
   return result;
 }
 
+void add_water(const Route& route, const std::vector<LegWater>& legs, RouteFigures& figures) {
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const LegWater& leg = legs[i];
+    if (!leg.under_keel_m) continue;
+    const Waypoint& w = route.waypoints[leg.leg.first];
+    if (!figures.least_water || *leg.under_keel_m < figures.least_water->under_keel_m) {
+      figures.least_water = {.leg = i + 1,
+                             .kind = w.kind,
+                             .line = w.line,
+                             .under_keel_m = *leg.under_keel_m,
+                             .start_s = leg.start_s};
+    }
+    if (!w.line || !is_survey(w.kind)) continue;
+    const auto [known, is_new] = figures.under_keel_by_line_m.emplace(*w.line, *leg.under_keel_m);
+    if (!is_new) known->second = std::min(known->second, *leg.under_keel_m);
+  }
+}
+
 }  // namespace swathplan

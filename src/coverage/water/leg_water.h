@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coverage/route/route.h"
+#include "coverage/route/route_figures.h"
 #include "coverage/route/vehicle.h"
 #include "coverage/water/tide.h"
 #include "mesh/seafloor.h"
@@ -33,5 +34,8 @@ struct Sailing {
 /// The legs of a route in their order. Depths are looked up at least each kDepthStepM of path.
 [[nodiscard]] std::vector<LegWater> water_of_legs(const Route& route, const Vehicle& vehicle,
                                                   const DepthQuery& depths, const Sailing& sailing);
+
+/// Adds the least water under the keel, of all legs and of each line, to the figures of the route.
+void add_water(const Route& route, const std::vector<LegWater>& legs, RouteFigures& figures);
 
 }  // namespace swathplan

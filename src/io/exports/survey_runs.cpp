@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 
 namespace swathplan {
 namespace {
@@ -14,6 +15,17 @@ int largest_number(const Route& route) {
   int largest = 0;
   for (const Waypoint& w : route.waypoints) largest = std::max(largest, w.line.value_or(0));
   return largest;
+}
+
+/// What is put before the number of a line that is none of the main scheme.
+std::string_view mark_of(LegKind kind) {
+  if (kind == LegKind::cross) return "X";
+  return kind == LegKind::patch ? "P" : "";
+}
+
+std::string_view words_of(LegKind kind) {
+  if (kind == LegKind::cross) return "cross-line";
+  return kind == LegKind::patch ? "patch line" : "line";
 }
 
 }  // namespace
@@ -31,9 +43,9 @@ std::vector<SurveyRun> survey_runs(const Route& route) {
     if (surveys(w[first])) {
       const int number = w[first].line ? *w[first].line : ++unnumbered;
       const int stretch = ++stretches[number];
-      runs.push_back(
-          {first, last,
-           stretch == 1 ? std::to_string(number) : fmt::format("{}_{}", number, stretch)});
+      runs.push_back({first, last,
+                      fmt::format("{}{}{}", mark_of(w[first].kind), number,
+                                  stretch == 1 ? "" : fmt::format("_{}", stretch))});
     }
     first = last;
   }
@@ -46,8 +58,9 @@ std::vector<std::string> waypoint_names(const Route& route) {
     names[i] += (names[i].empty() ? "" : ", ") + name;
   };
   for (const SurveyRun& run : survey_runs(route)) {
-    add(run.first, fmt::format("line {} start", run.name));
-    add(run.last, fmt::format("line {} end", run.name));
+    const std::string_view words = words_of(route.waypoints[run.first].kind);
+    add(run.first, fmt::format("{} {} start", words, run.name));
+    add(run.last, fmt::format("{} {} end", words, run.name));
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i].empty()) names[i] = std::to_string(i + 1);

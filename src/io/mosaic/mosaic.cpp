@@ -10,6 +10,7 @@
 #include "io/mosaic/file_date.h"
 #include "io/mosaic/zipped.h"
 #include "mesh/base/error.h"
+#include "mesh/survey_area.h"
 
 namespace swathplan {
 namespace {
@@ -25,6 +26,13 @@ struct Piece {
   std::string name, date;
   double ground_m2 = 0.0;
 };
+
+/// Places of one local frame in another.
+void bring_to(const Frame& own, const Frame& frame, Ring& ring) {
+  for (Vec2& p : ring) p = own.to_file(p);
+  if (own.crs_wkt != frame.crs_wkt) ring = CrsTransform(own.crs_wkt, frame.crs_wkt)(ring);
+  for (Vec2& p : ring) p = frame.to_local(p);
+}
 
 /// Brings the piece into the frame of the first one.
 void bring_to(const Frame& frame, Piece& piece, const std::string& first) {
@@ -42,6 +50,10 @@ void bring_to(const Frame& frame, Piece& piece, const std::string& first) {
   if (own.crs_wkt != frame.crs_wkt) places = CrsTransform(own.crs_wkt, frame.crs_wkt)(places);
   for (std::size_t i = 0; i < places.size(); ++i) {
     seafloor.vertices[i].head<2>() = frame.to_local(places[i]);
+  }
+  for (Polygon& polygon : piece.data.land) {
+    bring_to(own, frame, polygon.outer);
+    for (Ring& hole : polygon.holes) bring_to(own, frame, hole);
   }
   seafloor.frame = frame;
 }
@@ -128,6 +140,7 @@ ImportedSeafloor import_mosaic(const std::vector<fs::path>& files, MosaicPriorit
     if (&piece != &pieces.front()) bring_to(frame, piece, pieces.front().name);
     hashes.push_back(piece.data.input_hash);
     merge_words(piece, all);
+    if (&piece != &pieces.front()) all.land = unite(all.land, piece.data.land);
     all.nodes += piece.data.nodes;
     all.spacing_m = std::min(all.spacing_m, piece.data.spacing_m);
     if (piece.data.kind == "chart") all.kind = "chart";
@@ -147,6 +160,7 @@ ImportedSeafloor import_mosaic(const std::vector<fs::path>& files, MosaicPriorit
     joined = std::move(zip.seafloor);
   }
   all.seafloor = std::move(joined);
+  if (!all.land.empty()) all.land = subtract(all.land, outline(all.seafloor));
   all.notes.push_back("mosaic, the first counting most: " + parts_text(pieces));
   all.notes.insert(all.notes.end(), seams.begin(), seams.end());
   all.health = assess(all.seafloor);

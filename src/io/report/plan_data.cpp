@@ -7,6 +7,7 @@
 #include "io/report/plan_data_internal.h"
 #include "io/report/sailed_legs_internal.h"
 #include "io/report/swath_internal.h"
+#include "io/results/job_json.h"
 #include "io/results/score_figures.h"
 #include "io/results/verdict_json.h"
 #include "planners/pareto.h"
@@ -177,7 +178,7 @@ Json times_json(const std::vector<double>& seconds) {
 }
 
 Json leg_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen,
-              const SailedLeg& sailed) {
+              const SailedLeg& sailed, std::size_t index) {
   const Route& route = *plan.route;
   const Waypoint& first = route.waypoints[sailed.leg.first];
   const Frame& frame = site.seafloor->frame;
@@ -193,6 +194,10 @@ Json leg_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen,
            {"length_m", rounded(sailed.length_m)},
            {"depth_m", depths_below(route, sailed, *site.depths)}};
   leg.update(settings_along(route, sailed.leg));
+  const std::vector<LegWater>& water = plan.record->water;
+  const auto under_keel =
+      index < water.size() ? water[index].under_keel_m : std::optional<double>();
+  leg["under_keel_m"] = under_keel ? Json(rounded(*under_keel)) : Json();
   if (!first.feasible) leg["infeasible"] = 1;
   leg["points"] = pen.line(sailed.points);
   leg["times"] = times_json(sailed.seconds);
@@ -206,7 +211,7 @@ Json legs_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen, d
   const double step = std::max(plan.grid->resolution_m(), length_m(route) / stations);
   Json out = Json::array();
   for (const SailedLeg& sailed : sailed_legs(route, tolerance_m, kLargestPath / count)) {
-    out.push_back(leg_json(plan, site, pen, sailed));
+    out.push_back(leg_json(plan, site, pen, sailed, out.size()));
     const Waypoint& first = route.waypoints[sailed.leg.first];
     if (!first.log || !first.fan) continue;
     const Ring swath = swath_outline(route, sailed.leg, *site.depths, plan.record->sonar,
@@ -275,6 +280,8 @@ Json plan_json(const ReportPlan& plan, const ReportSite& site, const Pen& pen, d
           {"figures", score_figures(score)},
           {"legs", legs_json(plan, site, pen, tolerance_m, count)},
           {"along", along_json(plan, site)},
+          {"job",
+           plan.record->job ? job_json(*plan.record->job, plan.record->job_files, frame) : Json()},
           {"holidays", holidays_json(score.holidays, pen, frame, tolerance_m)},
           {"violations", violations_json(plan, pen, frame)},
           {"choices", choices_json(*plan.record)},

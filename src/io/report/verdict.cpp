@@ -109,9 +109,12 @@ std::vector<std::string> warnings(const Score& score) {
   if (score.route.outside_water_m > 0.0) {
     list.push_back(fmt::format("Leaves the water for {:.1f} m", score.route.outside_water_m));
   }
-  if (score.route.unknown_depth_m > 0.0) {
-    list.push_back(fmt::format("Crosses {:.1f} m of land or ground without a known depth",
-                               score.route.unknown_depth_m));
+  if (score.route.over_land_m > 0.0) {
+    list.push_back(fmt::format("Crosses {:.1f} m of land or no-go areas", score.route.over_land_m));
+  }
+  if (score.route.over_unknown_m > 0.0) {
+    list.push_back(fmt::format("Crosses {:.1f} m of ground without data: look at a chart",
+                               score.route.over_unknown_m));
   }
   if (score.route.min_under_keel_m < 0.0) {
     list.push_back(

@@ -71,6 +71,7 @@ nlohmann::ordered_json job_json(const JobSummary& job, const std::vector<std::st
   JobJson json = {{"berth_xy", job.berth ? place_json(*job.berth, frame) : JobJson(nullptr)},
                   {"longest_sortie_s",
                    job.longest_sortie_s ? JobJson(*job.longest_sortie_s) : JobJson(nullptr)},
+                  {"by_daylight", job.by_daylight},
                   {"undivided_s", job.undivided_s},
                   {"sailed_s", job.sailed_s},
                   {"sailed_to_undivided", job.sailed_s / job.undivided_s},

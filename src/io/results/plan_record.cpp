@@ -41,9 +41,9 @@ void add_gates(const Plan& plan, PlanRecord& record) {
 }  // namespace
 
 std::vector<PlanViolation> plan_violations(const Route& route, const Vehicle& vehicle,
-                                           const Area& water) {
+                                           const Area& water, const Area& land) {
   std::vector<PlanViolation> list;
-  for (const Violation& v : violations(route, vehicle, water)) {
+  for (const Violation& v : violations(route, vehicle, water, land)) {
     list.push_back(
         {v, std::string(name(route.waypoints[v.first].kind)), reason(v, route, vehicle)});
   }
@@ -51,7 +51,7 @@ std::vector<PlanViolation> plan_violations(const Route& route, const Vehicle& ve
 }
 
 PlanRecord plan_record(const Plan& plan, const Sonar& sonar, const Vehicle& vehicle,
-                       const Area& water) {
+                       const Area& water, const Area& land) {
   PlanRecord record;
   add_regions(plan, record);
   add_gates(plan, record);
@@ -61,7 +61,7 @@ PlanRecord plan_record(const Plan& plan, const Sonar& sonar, const Vehicle& vehi
   record.chosen = plan.chosen;
   record.chosen_why = plan.chosen_why;
   record.heading = plan.heading;
-  record.violations = plan_violations(plan.route, vehicle, water);
+  record.violations = plan_violations(plan.route, vehicle, water, land);
   record.notes = plan.notes;
   return record;
 }

@@ -7,6 +7,7 @@
 
 #include "coverage/route/ping_clock.h"
 #include "coverage/route/violations.h"
+#include "coverage/water/leg_water.h"
 #include "io/charts/hazards.h"
 #include "planners/job/whole_job.h"
 #include "planners/plan.h"
@@ -37,7 +38,7 @@ struct PlanViolation {
   std::string reason;
 };
 [[nodiscard]] std::vector<PlanViolation> plan_violations(const Route& route, const Vehicle& vehicle,
-                                                         const Area& water);
+                                                         const Area& water, const Area& land = {});
 
 /// What is told of a plan: plan.json and the report are both written from it, so they agree.
 struct PlanRecord {
@@ -56,15 +57,16 @@ struct PlanRecord {
   std::optional<Angle> heading;  ///< of straight lines in the frame, where all share one
   Angle grid_north;              ///< true azimuth of the frame's north
   std::vector<PlanViolation> violations;
+  std::vector<LegWater> water;         ///< of the route's legs, at the tide of the time
   Hazards hazards;                     ///< that the boat keeps off
   std::vector<std::string> notes;      ///< one sentence each, for people
   std::optional<JobSummary> job;       ///< where more than the main scheme was asked for
   std::vector<std::string> job_files;  ///< routes of its sorties, where it is divided
 };
 
-/// The record of a plan for this sonar and vehicle in safe `water`; planner and label are left
-/// empty.
+/// The record of a plan for this sonar and vehicle in safe `water`, beside known `land`; planner
+/// and label are left empty.
 [[nodiscard]] PlanRecord plan_record(const Plan& plan, const Sonar& sonar, const Vehicle& vehicle,
-                                     const Area& water);
+                                     const Area& water, const Area& land = {});
 
 }  // namespace swathplan

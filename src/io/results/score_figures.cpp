@@ -91,8 +91,21 @@ void add_route(Json& json, const RouteFigures& route) {
   json["cross_lines_share_pct"] = 100.0 * route.cross.share();
   json["cross_lines_crossings"] = route.cross.crossings;
   json["cross_lines_right_angled"] = route.cross.right_angled;
-  json["unknown_depth_m"] = route.unknown_depth_m;
+  json["over_land_m"] = route.over_land_m;
+  json["over_unknown_m"] = route.over_unknown_m;
   json["min_under_keel_m"] = route.min_under_keel_m;
+  json["least_under_keel"] = nullptr;
+  if (const auto& least = route.least_water) {
+    json["least_under_keel"] = {{"leg", least->leg},
+                                {"kind", name(least->kind)},
+                                {"line", least->line ? Json(*least->line) : Json(nullptr)},
+                                {"start_s", least->start_s},
+                                {"under_keel_m", least->under_keel_m}};
+  }
+  json["under_keel_by_line_m"] = Json::object();
+  for (const auto& [line, metres] : route.under_keel_by_line_m) {
+    json["under_keel_by_line_m"][std::to_string(line)] = metres;
+  }
 }
 
 void add_hours(Json& json, const Score& score) {

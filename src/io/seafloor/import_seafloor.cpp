@@ -25,6 +25,7 @@
 #include "io/soundings/sounding_columns.h"
 #include "io/soundings/soundings_import.h"
 #include "mesh/base/error.h"
+#include "mesh/survey_area.h"
 #include "mesh/water_level.h"
 
 namespace swathplan {
@@ -377,6 +378,7 @@ void clip_land(Seafloor& seafloor, ImportedSeafloor& result) {
     lowest = std::min(lowest, v.z());
     highest = std::max(highest, v.z());
   }
+  if (highest > 0.0) result.land = above_level(seafloor, 0.0);
   seafloor = below_level(seafloor, 0.0);
   const bool any_water = std::any_of(seafloor.vertices.begin(), seafloor.vertices.end(),
                                      [](const Vec3& v) { return v.z() < 0.0; });

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/plane/polygons.h"
 #include "mesh/repair/mesh_repair.h"
 #include "mesh/seafloor.h"
 
@@ -47,6 +48,7 @@ struct ImportedSeafloor {
   Vec2 raw_min = Vec2::Zero(), raw_max = Vec2::Zero();  ///< extent in the file's own units
   double raw_z_min = 0.0, raw_z_max = 0.0;              ///< in the file's own units and sense
   double spacing_m = 0.0;       ///< typical distance between neighbouring nodes
+  Area land;                    ///< what lies above the water, clipped; local metres
   double land_share = 0.0;      ///< share of the plan area above the water, clipped; [0, 1]
   double longest_edge_m = 0.0;  ///< soundings: the limit that was used; else 0
   std::vector<std::string> notes, warnings;  ///< one sentence each

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "coverage/route/cross_figures.h"
 #include "coverage/route/route_figures.h"
@@ -53,6 +54,12 @@ struct LineGroups {
   std::vector<JobLine> patch, cross, main;
 };
 
+bool holds(const std::vector<JobLine>& lines, const std::optional<int>& number) {
+  return number && std::any_of(lines.begin(), lines.end(), [&](const JobLine& line) {
+           return line.points.front().line == number;
+         });
+}
+
 LineGroups grouped(std::vector<JobLine> lines) {
   LineGroups groups;
   for (JobLine& line : lines) {
@@ -62,6 +69,8 @@ LineGroups grouped(std::vector<JobLine> lines) {
                                            : groups.main;
     // A join from a line of another group leads nowhere any more.
     if (group.empty()) line.join_before.clear();
+    // Of several boats' patch tests in a route, one is enough to go by.
+    if (purpose(line) == LegKind::patch && holds(group, line.points.front().line)) continue;
     group.push_back(std::move(line));
   }
   return groups;
@@ -169,9 +178,19 @@ class JobMaker {
     for (const PatchTest& test : job_.summary.patch_tests) {
       if (test.lines.empty()) say(fmt::format("patch test, {}: {}", test.name, test.reason));
     }
-    if (how_.boats > 1) {
-      say("the patch test is that of the first boat; each other boat owes one of its own");
-    }
+  }
+
+  /// Each boat has a sonar of its own to calibrate. The first sails the patch test before all else,
+  /// the last after all else, others between, so that no two meet there.
+  [[nodiscard]] SortieLines with_patch_test(SortieLines part, std::size_t boat,
+                                            std::size_t boats) const {
+    if (patch_.empty()) return part;
+    const double share = static_cast<double>(boat) / static_cast<double>(boats - 1);
+    const auto at = part.begin() + static_cast<std::ptrdiff_t>(
+                                       std::lround(share * static_cast<double>(part.size())));
+    if (at != part.end()) at->join_before.clear();
+    part.insert(at, patch_.begin(), patch_.end());
+    return part;
   }
 
   void lay_cross_lines(LineGroups& groups) {
@@ -297,8 +316,9 @@ class JobMaker {
   [[nodiscard]] Shared shared(std::vector<SortieLines> parts) const {
     Shared result;
     std::vector<BuiltRoute> routes;
-    for (const SortieLines& part : parts) {
-      routes.push_back(strung(part, first_berth(), ground_, options_, connector_));
+    for (std::size_t boat = 0; boat < parts.size(); ++boat) {
+      if (boat > 0) parts[boat] = with_patch_test(std::move(parts[boat]), boat, parts.size());
+      routes.push_back(strung(parts[boat], first_berth(), ground_, options_, connector_));
       result.seconds.push_back(sailing_s(routes.back().route.waypoints));
     }
     std::vector<BoatTrack> tracks;
@@ -327,12 +347,18 @@ class JobMaker {
     return all;
   }
 
-  void divide_by_boats(const std::vector<JobLine>& lines) {
+  void divide_by_boats(std::vector<JobLine> lines) {
+    const auto end_of_patch = std::find_if(lines.begin(), lines.end(), [](const JobLine& line) {
+      return purpose(line) != LegKind::patch;
+    });
+    patch_.assign(lines.begin(), end_of_patch);
+    lines.erase(lines.begin(), end_of_patch);
+    if (!patch_.empty() && !lines.empty()) lines.front().join_before.clear();
     std::vector<double> weights;
     std::optional<Shared> best;
     for (int round = 0; round < kMostBalances; ++round) {
-      const std::vector<SortieLines> parts =
-          cut_for_boats(lines, ways_, *berth_, how_.boats, weights);
+      std::vector<SortieLines> parts = cut_for_boats(lines, ways_, *berth_, how_.boats, weights);
+      parts.front() = with_patch_test(std::move(parts.front()), 0, 2);
       std::vector<std::vector<SortieLines>> ways_to_sail = turned(parts);
       ways_to_sail.push_back(
           kept_apart(parts, leading(parts.front()), ground_, options_.vehicle, ways_, *berth_));
@@ -345,7 +371,7 @@ class JobMaker {
       for (std::size_t k = 0; k < parts.size(); ++k) {
         JobEnds ends;
         ends.out = ends.home = berth_;
-        weights[k] = here->seconds[k] / std::max(1.0, estimated_s(parts[k], ways_, ends));
+        weights[k] = here->seconds[k] / std::max(1.0, estimated_s(here->parts[k], ways_, ends));
       }
       const double shortest = *std::min_element(here->seconds.begin(), here->seconds.end());
       const bool even = here->longest() < kUneven * shortest;
@@ -427,6 +453,31 @@ class JobMaker {
     return best;
   }
 
+  /// Says where a way out of the berth or home cannot be sailed as drawn.
+  void say_berth_ways(const Route& route) {
+    if (!berth_) return;
+    const auto& w = route.waypoints;
+    const auto is_on_line = [](const Waypoint& p) {
+      return is_survey(p.kind) || p.kind == LegKind::run_in;
+    };
+    const auto first = std::find_if(w.begin(), w.end(), is_on_line);
+    const auto last = std::find_if(w.rbegin(), w.rend(), [](const Waypoint& p) {
+                        return is_survey(p.kind) || p.kind == LegKind::run_out;
+                      }).base();
+    for (const auto& [begin, end, what] :
+         {std::tuple(w.begin(), first, "out of"), std::tuple(last, w.end(), "home to")}) {
+      const auto bad = std::find_if(
+          begin, end, [](const Waypoint& p) { return !p.feasible && p.kind != LegKind::end; });
+      if (bad == end) continue;
+      const Vec2 at = file_place(bad->position), berth = file_place(*berth_);
+      say(fmt::format(
+          "a way {} the berth at {:.1f},{:.1f} cannot be sailed as drawn about "
+          "{:.1f},{:.1f}: no forward way with turns of {:g} m stays in safe water there; "
+          "take another <berth>, or turn by hand",
+          what, berth.x(), berth.y(), at.x(), at.y(), options_.vehicle.turn_radius_m));
+    }
+  }
+
   Job finished() {
     JobSummary& summary = job_.summary;
     if (const double share = cross_figures(undivided_.route).share();
@@ -453,6 +504,7 @@ class JobMaker {
         summary.sailed_s += row.duration_s;
         summary.sorties.push_back(std::move(row));
         for (std::string& note : sortie.notes) say(std::move(note));
+        say_berth_ways(sortie.route);
         job_.routes.push_back(std::move(sortie.route));
       }
       const double dawn = how_.daylight ? 3600.0 * how_.daylight->from_h : 0.0;
@@ -493,6 +545,7 @@ class JobMaker {
   JobWays ways_;
   std::optional<Vec2> berth_;
   int next_number_ = 1;
+  std::vector<JobLine> patch_;  // of each of several boats
   double cross_aim_ = 0.0;
   BuiltRoute undivided_;
   std::vector<Built> boats_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "coverage/route/over_land.h"
+#include "coverage/route/violations.h"
 #include "coverage/scenes.h"
 #include "mesh/synthetic.h"
 
@@ -202,7 +204,7 @@ TEST(RouteFigures, LeastWaterUnderTheKeelIsFoundBetweenWaypoints) {
   const RouteFigures nowhere = route_figures(route_through({{-9, -9}, {-5, -9}}, kLegFan), {},
                                              rectangle(0, 0, 100, 100), depths, 1, 1);
   EXPECT_TRUE(std::isinf(nowhere.min_under_keel_m));
-  EXPECT_NEAR(nowhere.unknown_depth_m, 4.0, 1e-9);
+  EXPECT_NEAR(nowhere.over_unknown_m, 4.0, 1e-9);
 }
 
 TEST(RouteFigures, ALegOfAMillionKilometresIsLookedAtWhereDataAre) {
@@ -210,7 +212,7 @@ TEST(RouteFigures, ALegOfAMillionKilometresIsLookedAtWhereDataAre) {
   const DepthQuery depths(s);
   const RouteFigures f = route_figures(route_through({{50, 50}, {1e9, 50}}, kLegFan), {},
                                        rectangle(0, 0, 100, 100), depths, 1, 1);
-  EXPECT_NEAR(f.unknown_depth_m, 1e9 - 100.0, 3.0);
+  EXPECT_NEAR(f.over_unknown_m, 1e9 - 100.0, 3.0);
 }
 
 // Known water at both ends says nothing of the land between.
@@ -223,10 +225,34 @@ TEST(RouteFigures, APathOverLandHasNoLeastWaterUnderTheKeel) {
     return route_figures(route_through({{20, 50}, {80, 50}}, kLegFan), {}, where, depths, 1, 1);
   };
   EXPECT_TRUE(std::isinf(over(water).min_under_keel_m));
-  EXPECT_NEAR(over(water).unknown_depth_m, 20.0, 3.0);
+  EXPECT_NEAR(over(water).over_unknown_m, 20.0, 3.0);
   // Where the boat may run out beyond the data, that is no finding.
   EXPECT_NEAR(over(rectangle(0, 0, 100, 100)).min_under_keel_m, 9.7, 1e-9);
-  EXPECT_EQ(over(rectangle(0, 0, 100, 100)).unknown_depth_m, 0.0);
+  EXPECT_EQ(over(rectangle(0, 0, 100, 100)).over_unknown_m, 0.0);
+  // Of 24 m outside the water, known land takes a half of the 20 m without data.
+  const RouteFigures told = route_figures(route_through({{20, 50}, {80, 50}}, kLegFan), {}, water,
+                                          depths, 1, 1, rectangle(45, 0, 55, 100));
+  EXPECT_NEAR(told.over_land_m, 10.0, 1e-6);
+  EXPECT_NEAR(told.over_unknown_m, 10.0, 3.0);
+  EXPECT_TRUE(std::isinf(told.min_under_keel_m));
+}
+
+TEST(OverLand, AWholeLegOverLandIsMarkedAndItsNeighboursAreNot) {
+  Route route = route_through({{0, 0}, {10, 0}, {20, 0}, {30, 0}, {40, 0}}, kLegFan);
+  route.waypoints[0].kind = LegKind::transit;
+  route.waypoints[3].kind = LegKind::turn;
+  EXPECT_EQ(mark_over_land(route, {}), 0U);
+  // A shore that is only touched is none.
+  EXPECT_EQ(mark_over_land(route, rectangle(-1, -1, 0.005, 1)), 0U);
+  const Area land = rectangle(12, -1, 14, 1);
+  EXPECT_EQ(mark_over_land(route, land), 1U);
+  EXPECT_EQ(mark_over_land(route, land), 0U);
+  std::vector<bool> feasible;
+  for (const Waypoint& w : route.waypoints) feasible.push_back(w.feasible);
+  EXPECT_EQ(feasible, (std::vector<bool>{true, false, false, true, true}));
+  const auto list = violations(route, {}, rectangle(-9, -9, 99, 9), land);
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_EQ(reason(list[0], route, {}), "leads over land or through a no-go area for 2.0 m");
 }
 
 TEST(RouteFigures, BendsOfRoundingLeaveARouteStraight) {

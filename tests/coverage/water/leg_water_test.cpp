@@ -59,6 +59,30 @@ TEST_F(LegWaterTest, TheTideOfTheHourCountsAndItsWindows) {
   EXPECT_EQ(legs[0].windows.size(), 1U);
 }
 
+TEST_F(LegWaterTest, TheLeastOfAllLegsAndOfEachLineIsAFigureOfTheRoute) {
+  RouteFigures figures;
+  add_water(route, water_of_legs(route, vehicle, depths, {}), figures);
+  ASSERT_TRUE(figures.least_water);
+  EXPECT_EQ(figures.least_water->leg, 2U);
+  EXPECT_NEAR(figures.least_water->under_keel_m, 2.0, 1e-9);
+  EXPECT_NEAR(figures.least_water->start_s, 3000.0, 1e-6);
+  // One line sailed twice has the lesser of both.
+  for (Waypoint& w : route.waypoints) {
+    if (w.kind == LegKind::end) continue;
+    w.kind = LegKind::line;
+    w.line = 7;
+  }
+  figures = {};
+  add_water(route, water_of_legs(route, vehicle, depths, {}), figures);
+  EXPECT_EQ(figures.under_keel_by_line_m.size(), 1U);
+  EXPECT_NEAR(figures.under_keel_by_line_m.at(7), 2.0, 1e-9);
+  // Nothing is said of ground without data.
+  figures = {};
+  for (Waypoint& w : route.waypoints) w.position.x() -= 1e5;
+  add_water(route, water_of_legs(route, vehicle, depths, {}), figures);
+  EXPECT_FALSE(figures.least_water);
+}
+
 TEST_F(LegWaterTest, BeyondTheTableOrTheDataNothingIsSaid) {
   const Tide tide({{0.0, 0.0}, {3600.0, 0.0}});
   const auto legs = water_of_legs(route, vehicle, depths, {&tide, 0.0});

@@ -50,6 +50,23 @@ TEST(WaypointNames, TellStartsAndEndsOfLines) {
   EXPECT_EQ(names[200], "line 1 end, line 7 start");
 }
 
+TEST(WaypointNames, TellCrossAndPatchLinesFromTheMainScheme) {
+  Route route = test::lawnmower(3);
+  for (Waypoint& w : route.waypoints) {
+    if (w.line == 1 && is_survey(w.kind)) w.kind = LegKind::patch;
+    if (w.line == 2 && is_survey(w.kind)) w.kind = LegKind::cross;
+  }
+  const std::vector<SurveyRun> runs = survey_runs(route);
+  ASSERT_EQ(runs.size(), 3U);
+  EXPECT_EQ(runs[0].name, "P1");
+  EXPECT_EQ(runs[1].name, "X2");
+  EXPECT_EQ(runs[2].name, "3");
+  const std::vector<std::string> names = waypoint_names(route);
+  EXPECT_EQ(names[runs[0].first], "patch line P1 start");
+  EXPECT_EQ(names[runs[1].last], "cross-line X2 end");
+  EXPECT_EQ(short_waypoint_names(route)[runs[1].first], "SX2");
+}
+
 TEST(WaypointNames, ShortOnesAreUniqueWithinSixCharacters) {
   Route route = test::lawnmower(130);
   for (Waypoint& w : route.waypoints) {

@@ -56,6 +56,24 @@ TEST(ScoreJson, HoldsEveryFigureUnderItsName) {
   EXPECT_EQ(read["holidays_listed_by_cause_m2"]["edge"], 0.5);
 }
 
+TEST(ScoreJson, NamesTheLegWithTheLeastWaterUnderTheKeel) {
+  ScoreSample s;
+  EXPECT_TRUE(
+      json::parse(score_json("nuc", s.score, test::provenance()))["least_under_keel"].is_null());
+  s.score.route.least_water = {
+      .leg = 3, .kind = LegKind::line, .line = 2, .under_keel_m = 0.5, .start_s = 60.0};
+  s.score.route.under_keel_by_line_m = {{1, 1.5}, {2, 0.5}};
+  s.score.route.over_land_m = 2.5;
+  s.score.route.over_unknown_m = 4.0;
+  const json read = json::parse(score_json("nuc", s.score, test::provenance()));
+  EXPECT_EQ(
+      read["least_under_keel"],
+      json({{"leg", 3}, {"kind", "line"}, {"line", 2}, {"start_s", 60.0}, {"under_keel_m", 0.5}}));
+  EXPECT_EQ(read["under_keel_by_line_m"], json({{"1", 1.5}, {"2", 0.5}}));
+  EXPECT_EQ(read["over_land_m"], 2.5);
+  EXPECT_EQ(read["over_unknown_m"], 4.0);
+}
+
 TEST(ScoreJson, SharesTheEnergyOutByLine) {
   ScoreSample s;
   s.score.route.duration_s = 100.0;

@@ -124,6 +124,38 @@ TEST(WholeJob, TwoBoatsTakeLittleMoreThanHalfTheTimeAndKeepApart) {
   EXPECT_EQ(boats_apart(tracks, bench.site.ground, bench.how.vehicle).neighbours_s, 0.0);
 }
 
+std::vector<int> patch_lines(const Route& route) {
+  std::vector<int> numbers;
+  for (const Waypoint& w : route.waypoints) {
+    if (w.kind != LegKind::patch || !w.line) continue;
+    if (numbers.empty() || numbers.back() != *w.line) numbers.push_back(*w.line);
+  }
+  return numbers;
+}
+
+TEST(WholeJob, EachBoatSailsThePatchTestAtAnotherTime) {
+  const JobSite bench;
+  const Job one = made(bench, bench.rows(12), {.berth = kBerth, .patch_test = true});
+  const std::vector<int> numbers = patch_lines(one.route);
+  ASSERT_FALSE(numbers.empty());
+  const Job two = made(bench, bench.rows(12), {.berth = kBerth, .patch_test = true, .boats = 2});
+  ASSERT_EQ(two.routes.size(), 2U);
+  for (const Route& route : two.routes) EXPECT_EQ(patch_lines(route), numbers);
+  const auto first_kind = [](const Route& route) {
+    return std::find_if(route.waypoints.begin(), route.waypoints.end(),
+                        [](const Waypoint& w) { return is_survey(w.kind); })
+        ->kind;
+  };
+  EXPECT_EQ(first_kind(two.routes[0]), LegKind::patch);
+  EXPECT_NE(first_kind(two.routes[1]), LegKind::patch);
+  const double longest = two.summary.makespan_s;
+  for (const JobSortie& sortie : two.summary.sorties) {
+    EXPECT_GT(sortie.duration_s, 0.85 * longest) << "both have the test to sail";
+  }
+  // Taken up again for one boat, it is sailed once.
+  EXPECT_EQ(patch_lines(made(bench, two.route, {.berth = kBerth}).route), numbers);
+}
+
 TEST(WholeJob, WithoutABerthSortiesBeginWhereTheFirstLineDoes) {
   const JobSite bench;
   const Route main = bench.rows(20);
@@ -141,6 +173,29 @@ TEST(WholeJob, ABerthInOtherWaterIsCutOff) {
       [&] { static_cast<void>(made(bench, open.rows(3), {.berth = kBerth})); });
   EXPECT_THAT(message,
               testing::AllOf(testing::HasSubstr("300.0,20.0"), testing::HasSubstr("cut off")));
+}
+
+// A channel of 4 m with a right angle leads to the berth, and the vehicle turns in 12 m.
+TEST(WholeJob, AWayToABerthThatCannotBeSteeredIsSaidWithItsPlace) {
+  JobSite bench;
+  const Route main = bench.rows(3);
+  const Area open{{{{40, 60}, {560, 60}, {560, 390}, {40, 390}}, {}}};
+  const Area channel{{{{40, 20}, {90, 20}, {90, 24}, {44, 24}, {44, 61}, {40, 61}}, {}}};
+  bench.site.ground.water = unite(open, channel);
+  bench.how.vehicle.turn_radius_m = 12.0;
+  const Job job = made(bench, main, {.berth = Vec2(85, 22)});
+  ASSERT_FALSE(job.route.waypoints.front().feasible && job.route.waypoints[1].feasible);
+  const auto said = [](const char* way) {
+    return testing::Contains(testing::AllOf(testing::HasSubstr(way),
+                                            testing::HasSubstr("the berth at 85.0,22.0"),
+                                            testing::HasSubstr("turns of 12 m")));
+  };
+  EXPECT_THAT(job.notes, said("a way out of"));
+  EXPECT_THAT(job.notes, said("a way home to"));
+  // Of a berth in the open nothing is to say.
+  for (const std::string& note : made(bench, main, {.berth = Vec2(300, 300)}).notes) {
+    EXPECT_THAT(note, testing::Not(testing::HasSubstr("cannot be sailed as drawn")));
+  }
 }
 
 TEST(WholeJob, RefusesOptionsOutOfTheirRange) {

@@ -12,6 +12,7 @@ function telling(heading, rows) {
 
 const span = ([low, high], text) => (low === high ? text(low) : `${text(low)} to ${text(high)}`);
 const depthText = (leg) => (leg.depth_m[0] === null ? '' : span(leg.depth_m, (v) => number(v, 1)) + ' m');
+const keelText = (leg) => (leg.under_keel_m === null ? '' : number(leg.under_keel_m, 1) + ' m');
 const fanText = (leg) => (leg.sonar ? `${span(leg.port_deg, (v) => +v.toFixed(1) + '°')} / ${span(leg.stbd_deg, (v) => +v.toFixed(1) + '°')}` : '');
 const speedText = (leg) => span(leg.speed_mps, (v) => number(v, 1)) + ' m/s';
 const headingText = (leg) => (leg.heading_deg === null ? '' : bearing(leg.heading_deg));
@@ -20,7 +21,7 @@ const capital = (text) => text[0].toUpperCase() + text.slice(1);
 
 function tellLeg(leg) {
   return telling(capital(legName(leg)), [
-    ['heading', leg.line === null && leg.kind !== 'line' ? '' : headingText(leg)], ['length', long(leg.length_m)], ['depth', depthText(leg)],
+    ['heading', leg.line === null && leg.kind !== 'line' ? '' : headingText(leg)], ['length', long(leg.length_m)], ['depth', depthText(leg)], ['least under the keel', keelText(leg)],
     ['fan, port / starboard', fanText(leg)], ['speed', speedText(leg)],
     ['begins after', clock(leg.times[0])], ['takes', time(lasting(leg))],
     ['from', leg.from.map((v) => plainNumber(v, 1)).join(', ')], ['to', leg.to.map((v) => plainNumber(v, 1)).join(', ')],

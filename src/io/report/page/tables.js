@@ -11,12 +11,13 @@ const lineColumns = [
   ['Heading', (leg) => headingText(leg) || '–', (leg) => leg.heading_deg ?? -1],
   ['Length', (leg) => plainNumber(leg.length_m, 1) + ' m', (leg) => leg.length_m],
   ['Depth', (leg) => depthText(leg) || '–', (leg) => leg.depth_m[0] ?? -1],
+  ['Under keel', (leg) => keelText(leg) || '–', (leg) => leg.under_keel_m ?? 1e9],
   ['Fan, port / stbd', (leg) => fanText(leg) || 'off', (leg) => (leg.sonar ? half(leg.port_deg) + half(leg.stbd_deg) : -1)],
   ['Speed', (leg) => speedText(leg), (leg) => half(leg.speed_mps)],
   ['Takes', (leg) => clock(lasting(leg)), lasting],
   ['Begins at', (leg) => clock(leg.times[0]), (leg) => leg.times[0]],
 ];
-const sorting = {column: 10, up: true};
+const sorting = {column: lineColumns.length - 1, up: true};
 
 function boxOf(points) {
   const xs = points.map((p) => p[0]), ys = points.map((p) => p[1]);
@@ -171,7 +172,8 @@ const figures = [
   ['Places where the path crosses itself', 'self_crossings', count, ''],
   ['Path along earlier stretches of itself', 'shared_m', long, ''],
   ['Path outside the water', 'outside_water_m', long, 'low', (v) => v > 0],
-  ['of it over land or unknown ground', 'unknown_depth_m', long, 'low', (v) => v > 0],
+  ['of it over land or no-go', 'over_land_m', long, 'low', (v) => v > 0],
+  ['of it over ground without data', 'over_unknown_m', long, 'low', (v) => v > 0],
   ['Least water under the keel', 'min_under_keel_m', short, 'high', (v) => v < 0],
   ['Planning time', 'planning_s', time, ''],
 ];

@@ -37,8 +37,8 @@ function tilesOf(p) {
 }
 
 function showVerdict(p) {
-  for (const id of ['verdict-of', 'map-of', 'lines-of', 'gaps-of', 'limits-of', 'criterion-of']) {
-    if ($(id)) $(id).textContent = p.name;  // the criterion's section is left out where there is none
+  for (const id of ['verdict-of', 'map-of', 'job-of', 'lines-of', 'gaps-of', 'limits-of', 'criterion-of']) {
+    if ($(id)) $(id).textContent = p.name;  // sections of what there is none of are left out
   }
   $('verdict').textContent = p.verdict;
   $('tiles').replaceChildren(...tilesOf(p));
