@@ -86,7 +86,8 @@ class Comparison {
     if (command_.output.json) {
       fmt::print("{}\n", json_.dump(2));
     } else if (!command_.output.quiet) {
-      fmt::print("{}report: {}\n", table(surveys_), (folder_ / "report.html").string());
+      fmt::print("{}{}report: {}\n", table(surveys_), best_of(surveys_),
+                 (folder_ / "report.html").string());
     }
   }
 

@@ -93,6 +93,19 @@ void remove_old_survey(const std::filesystem::path& folder, const Site& site) {
   remove_old_sorties(folder);
 }
 
+namespace {
+
+std::vector<ReportPlan> report_plans(const std::vector<PlannedSurvey>& surveys) {
+  std::vector<ReportPlan> plans;
+  for (const PlannedSurvey& s : surveys) {
+    plans.push_back({&s.record, &s.plan.route, &s.scored.score, &s.scored.grid, s.planning_seconds,
+                     s.judged ? &*s.judged : nullptr});
+  }
+  return plans;
+}
+
+}  // namespace
+
 void write_survey_report(const std::filesystem::path& file, const std::string& title,
                          const std::vector<PlannedSurvey>& surveys, const Site& site,
                          const Provenance& provenance) {
@@ -104,12 +117,12 @@ void write_survey_report(const std::filesystem::path& file, const std::string& t
   report.water = site.water;
   report.no_go = site.no_go;
   report.provenance = provenance;
-  std::vector<ReportPlan> plans;
-  for (const PlannedSurvey& s : surveys) {
-    plans.push_back({&s.record, &s.plan.route, &s.scored.score, &s.scored.grid, s.planning_seconds,
-                     s.judged ? &*s.judged : nullptr});
-  }
-  write_report(file, report, plans);
+  write_report(file, report, report_plans(surveys));
+}
+
+std::string best_of(const std::vector<PlannedSurvey>& surveys) {
+  const std::string best = best_of_plans(report_plans(surveys));
+  return best.empty() ? best : best + "\n";
 }
 
 std::string table(const std::vector<PlannedSurvey>& surveys) {

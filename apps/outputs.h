@@ -26,6 +26,9 @@ void write_survey_report(const std::filesystem::path& file, const std::string& t
                          const std::vector<PlannedSurvey>& surveys, const Site& site,
                          const Provenance& provenance);
 
+/// Which of several plans is the best, and why, as a line of text; empty for a single one.
+[[nodiscard]] std::string best_of(const std::vector<PlannedSurvey>& surveys);
+
 /// The table that `plan`, `compare` and `score` print.
 [[nodiscard]] std::string table(const std::vector<PlannedSurvey>& surveys);
 

@@ -12,6 +12,7 @@
 #include "io/files/crs.h"
 #include "io/water/times.h"
 #include "mesh/base/error.h"
+#include "planners/fitted/coverage_goal.h"
 #include "planners/fitted/edge_following.h"
 #include "planners/fitted/fitted_lines.h"
 #include "planners/fronts/rate_width.h"
@@ -180,6 +181,22 @@ const Planner& planner(const std::string& name) {
       fmt::format("'{}' is not a planner; choose one of {}", name, fmt::join(names, ", ")));
 }
 
+namespace {
+
+/// Per cent of the cells with as many soundings that count as are wanted.
+double served_pct(const CoverageGrid& grid, double wanted, bool logged) {
+  std::size_t cells = 0;
+  std::size_t served = 0;
+  for (std::size_t i = 0; i < grid.words().size(); ++i) {
+    if (!grid.counts(i)) continue;
+    ++cells;
+    served += (logged ? grid.logged_soundings(i) : grid.soundings(i)) >= wanted ? 1U : 0U;
+  }
+  return 100.0 * static_cast<double>(served) / static_cast<double>(std::max<std::size_t>(1, cells));
+}
+
+}  // namespace
+
 Scorer::Scorer(const Site& site, const Survey& survey, Watch watch)
     : site_(&site),
       survey_(&survey),
@@ -190,7 +207,9 @@ Scorer::Scorer(const Site& site, const Survey& survey, Watch watch)
   static_cast<void>(grid_size(site.survey_area, survey.scoring.resolution_m));
   check_scale(site, survey);
   watch_.phase("working out the least hours of the site");
-  const LeastHours hours = hours_and_reach(WaterRaster(ground_), survey.planning);
+  const WaterRaster raster(ground_);
+  const LeastHours hours = hours_and_reach(raster, survey.planning);
+  goal_pct_ = coverage_goal_pct(raster, AreaQuery(ground_.water), survey.planning);
   least_hours_ = hours.hours;
   const auto sailed = block_depths(intersect(ground_.survey_area, ground_.water), *ground_.depths);
   const double draft = survey.vehicle.draft_m;
@@ -213,6 +232,8 @@ ScoredRoute Scorer::score(const std::string& phase, const Route& route) const {
   options.progress = [&](double share, std::uint64_t) { watch_.share(share); };
   ScoredRoute scored = swathplan::score(route, ground_, survey_->sonar, survey_->vehicle, options);
   scored.score.least_hours = least_hours_;
+  scored.score.goal = CoverageGoal{
+      goal_pct_, served_pct(scored.grid, survey_->planning.soundings, options.logged_counts)};
   if (site_->covered) scored.score.whole = site_->covered->whole(scored.grid, site_->rest);
   return scored;
 }
@@ -237,6 +258,43 @@ void note_corners(const RouteFigures& figures, const Vehicle& vehicle,
                   std::vector<std::string>& notes) {
   std::string note = corners_note(figures, vehicle);
   if (!note.empty()) notes.push_back(std::move(note));
+}
+
+void note_speed(const Route& route, const Vehicle& vehicle, std::vector<std::string>& notes) {
+  constexpr double kDust = 1e-6;
+  const auto& w = route.waypoints;
+  const Waypoint* fastest = nullptr;
+  std::size_t faster = 0;
+  std::size_t number = 0;
+  const std::vector<Leg> all = legs(route);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const bool surveys = is_survey(w[all[k].first].kind);
+    const double most =
+        surveys ? vehicle.speed_mps
+                : std::max({vehicle.speed_mps, vehicle.turn_speed_mps, vehicle.transit_speed_mps});
+    const Waypoint* quick = nullptr;
+    for (std::size_t i = all[k].first; i < all[k].last; ++i) {
+      if (w[i].speed_mps > most + kDust && (!quick || w[i].speed_mps > quick->speed_mps)) {
+        quick = &w[i];
+      }
+    }
+    if (quick == nullptr) continue;
+    ++faster;
+    if (fastest == nullptr || quick->speed_mps > fastest->speed_mps) {
+      fastest = quick;
+      number = k + 1;
+    }
+  }
+  if (fastest == nullptr) return;
+  const double speed = is_survey(fastest->kind)
+                           ? vehicle.speed_mps
+                           : std::max(vehicle.speed_mps, vehicle.transit_speed_mps);
+  notes.push_back(fmt::format(
+      "{} {} sailed faster than the vehicle can; leg {}, a {}{}, at {:.4g} m/s where it makes "
+      "{:.4g}: "
+      "hours and spacing of pings hold for a boat that is as fast",
+      counted(faster, "leg"), faster == 1 ? "is" : "are", number, name(fastest->kind),
+      fastest->line ? fmt::format(" ({})", *fastest->line) : "", fastest->speed_mps, speed));
 }
 
 void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,

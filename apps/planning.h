@@ -75,6 +75,7 @@ class Scorer {
   Ground ground_;
   std::optional<SurveyJudge> judge_;
   double least_hours_ = 0.0;
+  double goal_pct_ = 0.0;
   std::string reach_note_;
   Watch watch_;
 };
@@ -85,6 +86,9 @@ void note_beyond_data(const Score& score, std::vector<std::string>& notes);
 /// Adds a note if the route has corners that cannot be sailed as drawn.
 void note_corners(const RouteFigures& figures, const Vehicle& vehicle,
                   std::vector<std::string>& notes);
+
+/// Adds a note if a leg is sailed faster than the vehicle can.
+void note_speed(const Route& route, const Vehicle& vehicle, std::vector<std::string>& notes);
 
 /// Adds a note if the mission does not fit into the vehicle's endurance.
 void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,

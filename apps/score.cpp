@@ -118,6 +118,7 @@ void run(const ScoreCommand& command) {
   ScoredRoute scored = scorer.score("scoring", plan.route);
   note_beyond_data(scored.score, plan.notes);
   note_corners(scored.score.route, vehicle, plan.notes);
+  note_speed(plan.route, vehicle, plan.notes);
   note_endurance(scored.score.route, vehicle, plan.notes);
   std::vector<PlannedSurvey> surveys;
   const std::string name = command.route.filename().string();

@@ -236,7 +236,19 @@ class Scorer {
     });
     for (const std::uint64_t n : soundings) score.soundings += n;
     for (std::size_t b = 0; b < batch.blocks; ++b) score.rays += traces_[b].rays;
+    if (options_.logged_cells) hand_out(batch);
     if (options_.progress) options_.progress(walker_.progress(), score.rays);
+  }
+
+  void hand_out(const Batch& batch) const {
+    for (std::size_t b = 0; b < batch.blocks; ++b) {
+      for (const std::vector<CellRun>& runs : traces_[b].runs) {
+        for (const CellRun& run : runs) {
+          if (!run.log) continue;
+          options_.logged_cells(run.leg, std::span(traces_[b].cells).subspan(run.first, run.count));
+        }
+      }
+    }
   }
 
   const ScoreOptions& options_;

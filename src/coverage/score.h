@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "coverage/ground.h"
 #include "coverage/holidays.h"
@@ -29,6 +31,10 @@ struct ScoreOptions {
   int threads = 0;  ///< 0: all cores; the result does not depend on it
   /// Called now and then with the share done [0, 1] and rays traced so far; may be empty.
   std::function<void(double, std::uint64_t)> progress;
+  /// Called with the cells that soundings of logged legs fell in, some of a leg at a time, leg
+  /// after leg and by one thread: a cell as often as it was sounded, cells outside the area too.
+  /// The leg is an index into legs(route). May be empty.
+  std::function<void(std::uint32_t leg, std::span<const std::uint32_t> cells)> logged_cells;
 };
 
 /// Coverage counted over one set of pings (all, or those of logged legs).
@@ -49,6 +55,12 @@ struct WholeFigures {
   double left_out_m2 = 0.0;  ///< gaps of the earlier survey that are no part of the rest
 };
 
+/// What plans of a site are to cover, and what this one does.
+struct CoverageGoal {
+  double wanted_pct = 100.0;  ///< of the cells
+  double covered_pct = 0.0;   ///< cells with as many soundings that count as are wanted
+};
+
 /// What a route covers. `logged` counts the pings of logged legs only. Overlap, several_legs_pct,
 /// and the counts are of all pings.
 struct Score {
@@ -64,6 +76,8 @@ struct Score {
   /// Hours that no plan of the area can go under (standards/area_rate.h). score() leaves it empty:
   /// who scores several routes of a site works it out once.
   std::optional<double> least_hours;
+  /// score() leaves it empty: who scores several routes of a site fills it in.
+  std::optional<CoverageGoal> goal;
   /// Of the whole area, where the score is of the rest that was not covered before. score() leaves
   /// it empty: who knows of earlier surveys fills it in (coverage/covered).
   std::optional<WholeFigures> whole;

@@ -52,6 +52,10 @@ Pick within(const std::vector<Outcome>& outcomes, const std::string& limit,
 
 const char* name(Cover cover) { return cover == Cover::footprint ? "footprint" : "hit"; }
 
+double hours_to_pick_by(double duration_s, double cover_pct) {
+  return duration_s / 3600.0 * (1.0 + kHoursOfPointBeyond * std::max(0.0, 100.0 - cover_pct));
+}
+
 double expected_cover_pct(const Outcome& outcome) {
   return outcome.whole_cover_pct.value_or(outcome.cover_pct);
 }

@@ -38,6 +38,11 @@ struct Outcome {
 /// stays.
 [[nodiscard]] std::vector<std::size_t> pareto_front(const std::vector<Outcome>& outcomes);
 
+/// Hours as plans are picked by them, among those that reach what they are to cover: beyond that a
+/// point of coverage more is still worth 1 % of the hours.
+[[nodiscard]] double hours_to_pick_by(double duration_s, double cover_pct);
+inline constexpr double kHoursOfPointBeyond = 0.01;
+
 /// What a plan must reach; at most one of these is set.
 struct PlanGoal {
   std::optional<double> coverage_pct;  ///< the shortest plan with at least this coverage

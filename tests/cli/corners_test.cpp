@@ -31,6 +31,22 @@ TEST(Corners, AGivenRouteIsToldHowManyItHas) {
   EXPECT_THAT(gentle, Not(HasSubstr("corner")));
 }
 
+TEST(Speeds, AGivenRouteIsToldWhichLegIsFasterThanTheVehicle) {
+  const test::Folder folder;
+  ASSERT_EQ(folder.run("synth flat --width 140 --height 140 -o flat.asc").code, 0);
+  const auto told = [&](const std::string& fastest) {
+    folder.write("route.csv", "x_m,y_m,kind,log,line,speed_mps\n20,20,line,1,1,2\n80,20,line,1,2," +
+                                  fastest + "\n80,80,end,0,,2\n");
+    const auto run =
+        folder.run("score flat.asc route.csv --vehicle small-usv --resolution 2 --hit-only -o out");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.err;
+  };
+  EXPECT_THAT(told("7"), HasSubstr("1 leg is sailed faster than the vehicle can; leg 2, a line "
+                                   "(2), at 7 m/s where it makes 2:"));
+  EXPECT_THAT(told("2"), Not(HasSubstr("faster than the vehicle")));
+}
+
 TEST(Corners, NoPlannerLeavesAnyWhereItsJoinsCanBeSteered) {
   const test::Folder folder;
   ASSERT_EQ(folder

@@ -164,6 +164,7 @@ TEST(Compare, HoldsFourPlannersAgainstEachOther) {
       folder.run("compare " + dataset("shaft.obj") +
                  " --planners back-and-forth,multi-depth,nuc,mdnuc --resolution 0.25 -o out");
   ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, testing::HasSubstr("The best of "));
   const json all = json_of(folder / "out" / "compare.json");
   ASSERT_EQ(all.size(), 4U);
   std::map<std::string, double> hit;

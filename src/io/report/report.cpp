@@ -90,6 +90,10 @@ std::string report_html(const ReportSite& site, const std::vector<ReportPlan>& p
                                         {"data", script_json(internal::report_data(site, plans))}});
 }
 
+std::string best_of_plans(const std::vector<ReportPlan>& plans) {
+  return internal::overall_verdict(internal::compared(plans));
+}
+
 void write_report(const std::filesystem::path& path, const ReportSite& site,
                   const std::vector<ReportPlan>& plans) {
   write_text_atomically(path, report_html(site, plans));

@@ -39,6 +39,10 @@ struct ReportSite {
 /// and paths simplified by less than a pixel, so that the page stays small.
 [[nodiscard]] std::string report_html(const ReportSite& site, const std::vector<ReportPlan>& plans);
 
+/// Which of several plans is the best, and why, in one sentence, as the page has it; empty for a
+/// single one.
+[[nodiscard]] std::string best_of_plans(const std::vector<ReportPlan>& plans);
+
 /// Writes it to a file.
 /// @throws InvalidInput without a plan, or if the file cannot be written.
 void write_report(const std::filesystem::path& path, const ReportSite& site,

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "io/report/verdict_internal.h"
+#include "planners/pareto.h"
 
 namespace swathplan::internal {
 namespace {
@@ -28,6 +29,14 @@ std::string short_sentence(const Verdict& verdict) {
     if (!rule.pass) failing += (failing.empty() ? " by " : ", ") + rule.name;
   }
   return "predicted to fail " + verdict.title + failing;
+}
+
+double covered_pct(const Score& score) {
+  return score.goal ? score.goal->covered_pct : score.counted().hit_pct;
+}
+
+bool reaches_goal(const Score& score) {
+  return score.goal && score.goal->covered_pct >= score.goal->wanted_pct;
 }
 
 }  // namespace
@@ -120,7 +129,9 @@ std::size_t best_plan(const std::vector<ComparedPlan>& plans) {
   const auto sound = [](const ComparedPlan& p) { return warnings(*p.score).empty(); };
   const auto passes = [](const ComparedPlan& p) { return p.judged && p.judged->verdict.pass; };
   const auto hours = [](const ComparedPlan& p) { return p.score->route.duration_s; };
-  const auto covers = [](const ComparedPlan& p) { return p.score->counted().hit_pct; };
+  const auto most = [&](std::size_t a, std::size_t b) {
+    return covered_pct(*plans[a].score) < covered_pct(*plans[b].score);
+  };
   std::vector<std::size_t> among(plans.size());
   std::iota(among.begin(), among.end(), std::size_t{0});
   const auto keep = [&](const auto& rule) {
@@ -131,13 +142,20 @@ std::size_t best_plan(const std::vector<ComparedPlan>& plans) {
   };
   keep(sound);
   keep(passes);
-  if (!passes(plans[among.front()])) {
-    double most = 0.0;
-    for (const std::size_t i : among) most = std::max(most, covers(plans[i]));
-    keep([&](const ComparedPlan& p) { return covers(p) >= most - kSameCoverage; });
+  if (passes(plans[among.front()])) {
+    return *std::min_element(among.begin(), among.end(), [&](std::size_t a, std::size_t b) {
+      return hours(plans[a]) < hours(plans[b]);
+    });
   }
+  keep([&](const ComparedPlan& p) { return reaches_goal(*p.score); });
+  if (!reaches_goal(*plans[among.front()].score)) {
+    return *std::max_element(among.begin(), among.end(), most);
+  }
+  const auto to_pick_by = [&](std::size_t i) {
+    return hours_to_pick_by(hours(plans[i]), covered_pct(*plans[i].score));
+  };
   return *std::min_element(among.begin(), among.end(), [&](std::size_t a, std::size_t b) {
-    return hours(plans[a]) < hours(plans[b]);
+    return to_pick_by(a) < to_pick_by(b);
   });
 }
 
@@ -145,10 +163,18 @@ std::string overall_verdict(const std::vector<ComparedPlan>& plans) {
   if (plans.size() < 2) return {};
   const ComparedPlan& best = plans[best_plan(plans)];
   const bool passes = best.judged != nullptr && best.judged->verdict.pass;
-  return fmt::format("The best of {} plans is {}: {}.", plans.size(), best.name,
-                     passes ? "it passes in the fewest hours"
-                            : "none covers half a point more, and it takes the fewest hours of "
-                              "those that cover as much");
+  std::string why = "it passes in the fewest hours";
+  if (!passes && reaches_goal(*best.score)) {
+    why = fmt::format(
+        "the fewest hours that cover at least {:.4g} % of the cells; a point more "
+        "counts {:g} % of the hours",
+        best.score->goal->wanted_pct, 100.0 * kHoursOfPointBeyond);
+  } else if (!passes) {
+    why = best.score->goal ? fmt::format("the most coverage, as none reaches {:.4g} % of the cells",
+                                         best.score->goal->wanted_pct)
+                           : "the most coverage";
+  }
+  return fmt::format("The best of {} plans is {}: {}.", plans.size(), best.name, why);
 }
 
 }  // namespace swathplan::internal

@@ -38,10 +38,10 @@ inline constexpr std::size_t kSpeckleCells = 4;
 [[nodiscard]] std::vector<std::string> warnings(const Score& score);
 
 /// The plan to sail (of one or more): one without warnings before others; one that is predicted to
-/// pass before others; of several that pass the one with the fewest hours; else the one that covers
-/// most, where plans within kSameCoverage points are equal and the fewest hours decide.
+/// pass before others; of several that pass the one with the fewest hours; else as planners pick:
+/// of those that reach the goal of coverage the one with the fewest hours (hours_to_pick_by), and
+/// where none does the one that covers most.
 [[nodiscard]] std::size_t best_plan(const std::vector<ComparedPlan>& plans);
-inline constexpr double kSameCoverage = 0.5;
 /// Which of several plans is the best, and why, in one sentence; empty for a single one.
 [[nodiscard]] std::string overall_verdict(const std::vector<ComparedPlan>& plans);
 

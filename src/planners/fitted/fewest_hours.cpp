@@ -11,10 +11,12 @@
 #include <tuple>
 
 #include "mesh/base/error.h"
+#include "planners/fitted/coverage_goal.h"
 #include "planners/fitted/edge_following.h"
 #include "planners/fitted/infill.h"
 #include "planners/fitted/line_workshop.h"
 #include "planners/fitted/part_within.h"
+#include "planners/fitted/pruning.h"
 #include "planners/fronts/field_lines.h"
 #include "planners/fronts/fitted_straight.h"
 #include "planners/fronts/headland.h"
@@ -41,8 +43,6 @@ constexpr std::size_t kHoursFinalists = 4;
 /// Where lines stop short of the goal, each point of coverage that is missing takes about this
 /// share of the hours: passes over gaps are shorter than lines and have as many turns.
 constexpr double kHoursOfPoint = 0.1;
-/// Beyond the goal a point of coverage is still worth this share of the hours.
-constexpr double kHoursBeyondGoal = 0.01;
 /// Lines run on this share of their swath beyond the area, and are then cut back to where they
 /// still cover some of it.
 constexpr double kHoursRunOn = 0.6;
@@ -59,6 +59,27 @@ constexpr double kHoursGains[] = {0.3, 0.13, 0.06, 0.03};
 /// costs so much more than the best with such lines.
 constexpr std::size_t kHoursTriedWithout = 2;
 constexpr double kHoursHopeless = 1.15;
+/// Finalists whose overlap is tuned to the goal, in so many steps, each followed by a score. Plans
+/// within so many points of the goal are near enough.
+constexpr int kHoursTunings = 2;
+constexpr double kHoursNearGoal = 0.4;
+/// Points of coverage that the whole swath as overlap would bring, where nothing else is known.
+constexpr double kHoursPointsOfOverlap = 50.0;
+constexpr double kHoursOverlapStep = 0.08, kHoursMostOverlap = 0.3;
+/// A plan that covers so many points more than the goal keeps them: lines as far apart as the next
+/// ones would be miss the goal.
+constexpr double kHoursPrunedBeyond = 0.75;
+/// Of the best finalists so many are pruned. Passes first cover so many points beyond the goal,
+/// where a metre of them brings this share of the swath.
+constexpr std::size_t kHoursExchanged = 2;
+constexpr double kHoursBeyond[] = {0.5, 0.3};
+constexpr double kHoursExchangeGain = 0.06;
+/// What pieces of lines sound takes some tens of bytes a cell. Larger areas are not pruned.
+constexpr double kHoursMostPrunedCells = 2e7;
+/// Rounds of pruning, and points of coverage beyond the goal that it leaves: pings fall elsewhere
+/// afterwards.
+constexpr int kHoursPrunings = 2;
+constexpr double kHoursReserve = 0.02;
 /// Rounds of infill, each followed by a score.
 constexpr int kHoursMostFillings = 6;
 /// Plans that differ by less than this share are the same.
@@ -80,7 +101,10 @@ int passes_over(double metres, double step) {
   return static_cast<int>(std::ceil(2.0 * (metres / step) * (metres / step)));
 }
 /// A detour that a join without a forward way asks for, turn radii.
-constexpr double kHoursDetourRadii = 8.0 * std::numbers::pi;
+constexpr double kHoursDetourRadii = 16.0 * std::numbers::pi;
+
+/// Logged soundings of a cell are counted up to this (CoverageGrid).
+constexpr double kMostCounted = 7.0;
 
 /// Under this share of what the quickest plan takes, a limit holds no more than a part of a plan.
 constexpr double kHoursOfPart = 0.7;
@@ -101,10 +125,16 @@ struct Way {
   bool operator==(const Way&) const = default;
 };
 
+/// What was changed of the lines that a way lays.
+struct Counts {
+  std::size_t passes = 0, dropped = 0, trimmed = 0;
+};
+
 struct Tried {
   Way way;
   BuiltRoute built;
   Outcome outcome;
+  Counts counts = {};
 };
 
 double hours(const Outcome& outcome) { return outcome.duration_s / 3600.0; }
@@ -112,9 +142,10 @@ double hours(const Outcome& outcome) { return outcome.duration_s / 3600.0; }
 class HoursSearch {
  public:
   HoursSearch(const Ground& ground, const PlanOptions& options)
-      : options_(options), shop_(ground, options), goal_(goal_of(options)) {
+      : options_(options),
+        shop_(ground, options),
+        goal_(coverage_goal_pct(shop_.raster(), shop_.lines_in(), options)) {
     least_h_ = least_hours(shop_.raster(), options);
-    goal_ *= coverable();
     walls_ = walls_without_room(ground.survey_area, AreaQuery(ground.water),
                                 2.0 * options.vehicle.turn_radius_m, shop_.raster().cell_m());
     const std::vector<float>& width = this->width(1.0, 0.0);
@@ -144,52 +175,10 @@ class HoursSearch {
       "no survey line fits into the water of the survey area; check <area>, <no go>, <least line> "
       "and the vehicle's draft and clearance";
 
-  static double goal_of(const PlanOptions& options) {
-    return options.goal.coverage_pct.value_or(options.soundings > 1.0 ? kUsualGoalSeveral
-                                                                      : kUsualGoal);
-  }
-
   [[nodiscard]] const std::vector<float>& width(double stretch, double overlap) {
     auto [it, fresh] = widths_.try_emplace({stretch, overlap});
     if (fresh) it->second = rate_width_field(shop_.raster(), options_, stretch, overlap);
     return it->second;
-  }
-
-  /// The share of the area that some place in safe water may see, by the widest fan over the depth
-  /// there.
-  [[nodiscard]] double coverable() const {
-    const WaterRaster& raster = shop_.raster();
-    std::vector<char> safe(raster.size(), 0);
-    for (std::size_t i = 0; i < raster.size(); ++i) {
-      safe[i] = raster.in_area(i) && shop_.lines_in().contains(raster.centre(i)) ? 1 : 0;
-    }
-    const double tangent = tan(options_.sonar.max_opening / 2.0);
-    std::size_t cells = 0;
-    std::size_t seen = 0;
-    for (std::size_t i = 0; i < raster.size(); ++i) {
-      if (!raster.in_area(i)) continue;
-      ++cells;
-      const double below = std::max(0.0, raster.depth(i) - options_.vehicle.draft_m);
-      seen += safe[i] != 0 || any_within(safe, i, below * tangent) ? 1U : 0U;
-    }
-    return cells > 0 ? static_cast<double>(seen) / static_cast<double>(cells) : 1.0;
-  }
-  [[nodiscard]] bool any_within(const std::vector<char>& safe, std::size_t i, double reach) const {
-    const WaterRaster& raster = shop_.raster();
-    const auto n = static_cast<std::ptrdiff_t>(reach / raster.cell_m());
-    const auto columns = static_cast<std::ptrdiff_t>(raster.columns());
-    const auto rows = static_cast<std::ptrdiff_t>(raster.rows());
-    const std::ptrdiff_t c0 = static_cast<std::ptrdiff_t>(i) % columns;
-    const std::ptrdiff_t r0 = static_cast<std::ptrdiff_t>(i) / columns;
-    for (std::ptrdiff_t r = std::max<std::ptrdiff_t>(0, r0 - n); r <= std::min(rows - 1, r0 + n);
-         ++r) {
-      for (std::ptrdiff_t c = std::max<std::ptrdiff_t>(0, c0 - n);
-           c <= std::min(columns - 1, c0 + n); ++c) {
-        if ((c - c0) * (c - c0) + (r - r0) * (r - r0) > n * n) continue;
-        if (safe[static_cast<std::size_t>(r * columns + c)] != 0) return true;
-      }
-    }
-    return false;
   }
 
   void plan_the_budget() {
@@ -348,16 +337,29 @@ class HoursSearch {
                        way.headland ? " within lines along the walls" : "", 100.0 * way.overlap);
   }
 
+  [[nodiscard]] std::string described(const Tried& tried) const {
+    const Counts& counts = tried.counts;
+    std::string what = described(tried.way);
+    if (counts.passes > 0) {
+      what += ", " + counted(counts.passes, "infill pass", "infill passes");
+    }
+    if (counts.dropped > 0) what += fmt::format(", {} dropped", counts.dropped);
+    if (counts.trimmed > 0) {
+      what += ", " + counted(counts.trimmed, "end shortened", "ends shortened");
+    }
+    return what;
+  }
+
   // --- search
 
   /// Hours, with what the missing coverage and the joins that cannot be steered will still cost.
   [[nodiscard]] double cost_h(const Outcome& o) const {
-    const double detour = kHoursDetourRadii * options_.vehicle.turn_radius_m /
-                          options_.vehicle.turn_speed_mps / 3600.0;
     const double missing = std::max(0.0, goal_ - o.cover_pct);
-    const double empty = std::max(0.0, 100.0 - o.cover_pct);
-    return hours(o) * (1.0 + kHoursOfPoint * missing + kHoursBeyondGoal * empty) +
-           detour * static_cast<double>(o.infeasible_legs);
+    return hours_to_pick_by(o.duration_s, o.cover_pct) + hours(o) * kHoursOfPoint * missing +
+           detour_s() / 3600.0 * static_cast<double>(o.infeasible_legs);
+  }
+  [[nodiscard]] double detour_s() const {
+    return kHoursDetourRadii * options_.vehicle.turn_radius_m / options_.vehicle.turn_speed_mps;
   }
 
   /// Whether the search is to end: with a candidate to keep.
@@ -545,11 +547,13 @@ class HoursSearch {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return cost_h(pool_[a].outcome) < cost_h(pool_[b].outcome);
     });
-    const std::size_t finalists = rays_ > kHoursRaysOfHuge ? 1 : coarse_ >= 4 ? 2 : kHoursFinalists;
+    const std::size_t finalists = rays_ > kHoursRaysOfHuge ? 1 : coarse_ >= 2 ? 2 : kHoursFinalists;
     options_.watch.phase("finishing the best");
     std::vector<Outcome> done;
+    std::vector<Tried> filled;
+    const std::size_t most = rays_ > kHoursRaysOfHuge || coarse_ >= 2 ? 1 : kHoursExchanged;
     for (const std::size_t i : order) {
-      if (done.size() == finalists || (!done.empty() && options_.watch.ended())) return;
+      if (done.size() == finalists || (!done.empty() && options_.watch.ended())) break;
       // Variations that change nothing are the same plan again.
       const bool known = std::any_of(done.begin(), done.end(), [&](const Outcome& o) {
         return std::abs(o.duration_s - pool_[i].outcome.duration_s) < kHoursSame * o.duration_s &&
@@ -568,20 +572,158 @@ class HoursSearch {
         tried.outcome.what += ", the part that the limit holds";
         judge_in_full(tried);
       } else {
-        fill_in(tried, std::move(grid));
+        if (filled.size() < most && may_prune()) tune_overlap(tried, grid);
+        filled.push_back(fill_in(tried, std::move(grid)));
+      }
+    }
+    if (!may_prune()) return;
+    std::erase_if(filled, [&](const Tried& tried) { return !reaches(tried.outcome); });
+    std::stable_sort(filled.begin(), filled.end(), [&](const Tried& a, const Tried& b) {
+      return cost_h(a.outcome) < cost_h(b.outcome);
+    });
+    for (std::size_t k = 0; k < std::min(most, filled.size()) && !options_.watch.ended(); ++k) {
+      exchange(filled[k]);
+    }
+  }
+
+  /// Lays the same lines with more or less overlap, until they cover about the goal: that is
+  /// cheaper than passes over gaps, and coarse cells do not tell so exactly. `tried` and `grid`
+  /// become those of the best.
+  void tune_overlap(Tried& tried, CoverageGrid& grid) {
+    double slope = kHoursPointsOfOverlap;
+    Way way = tried.way;
+    double cover = tried.outcome.cover_pct;
+    const int most = rays_ > kHoursRaysOfHuge ? 1 : kHoursTunings;
+    for (int k = 0; k < most && !options_.watch.ended(); ++k) {
+      const double above = cover - goal_;
+      if (std::abs(above) <= kHoursNearGoal || above > 100.0 * kHoursOverlapStep) return;
+      const double step = std::clamp(-above / slope, -kHoursOverlapStep, kHoursOverlapStep);
+      Way next = way;
+      next.overlap = std::clamp(way.overlap + step, -kHoursMostOverlap, kHoursMostOverlap);
+      if (next == way) return;
+      const std::vector<SurveyCurve> curves = laid(next);
+      if (curves.empty()) return;
+      Tried now{
+          next,
+          shop_.build(curves, width(next.stretch, next.overlap), angles(next), next.edge_share),
+          {}};
+      if (now.built.route.waypoints.size() < 2) return;
+      now.outcome.what = described(next);
+      CoverageGrid seen = judge_in_full(now);
+      slope = std::clamp((now.outcome.cover_pct - cover) / (next.overlap - way.overlap),
+                         0.3 * kHoursPointsOfOverlap, 3.0 * kHoursPointsOfOverlap);
+      way = next;
+      cover = now.outcome.cover_pct;
+      if (cost_h(now.outcome) < cost_h(tried.outcome)) {
+        tried = std::move(now);
+        grid = std::move(seen);
       }
     }
   }
 
-  void fill_in(const Tried& base, CoverageGrid grid) {
+  /// Plans are pruned that are judged by hits and by hours.
+  [[nodiscard]] bool may_prune() const {
+    const PlanGoal& goal = options_.goal;
+    const double cells =
+        area_m2(shop_.ground().survey_area) / (options_.resolution_m * options_.resolution_m);
+    if (cells > kHoursMostPrunedCells || rays_ > kHoursRaysOfHuge) return false;
+    return options_.criterion == nullptr && options_.cover == Cover::hit && !goal.length_m &&
+           !goal.time_s && options_.run_in_m == 0.0 && options_.run_out_m == 0.0;
+  }
+
+  /// What pays most: passes over gaps until more than the goal is covered, then without what
+  /// brings the least for its time. `tried` reaches the goal.
+  void exchange(Tried tried) {
+    std::optional<SoundedLines> seen = sounded(tried);
+    // A plan that covers far more than the goal loses nothing but what costs no coverage.
+    const double surplus = tried.outcome.cover_pct - goal_;
+    const double floor =
+        surplus > kHoursPrunedBeyond ? tried.outcome.cover_pct - 2.0 * kHoursReserve : goal_;
+    for (const double beyond : kHoursBeyond) {
+      if (!seen || options_.watch.ended()) return;
+      const double before = cost_h(tried.outcome);
+      Tried more = tried;
+      const double missing = goal_ + beyond - more.outcome.cover_pct;
+      if (missing > 0.0) {
+        InfilledRoute filled =
+            with_infill(more.built.route, seen->scored.grid, shop_,
+                        {.least_gain = kHoursExchangeGain,
+                         .enough_m2 = missing / 100.0 * area_m2(shop_.ground().survey_area),
+                         .edge_share = more.way.edge_share});
+        if (filled.passes > 0) {
+          more.built = std::move(filled.built);
+          more.counts.passes += filled.passes;
+          std::optional<SoundedLines> with_passes = sounded(more);
+          if (!with_passes) return;
+          without_the_least(std::move(more), std::move(*with_passes), floor, tried, seen);
+        }
+      }
+      // Also where no pass was worth it.
+      if (cost_h(tried.outcome) >= before) {
+        without_the_least(tried, SoundedLines(*seen), floor, tried, seen);
+        return;
+      }
+    }
+  }
+
+  /// Judges the plan in full, piece by piece.
+  [[nodiscard]] std::optional<SoundedLines> sounded(Tried& tried) {
+    SoundedLines seen = sounded_stretches(tried.built.route, shop_);
+    if (seen.lines.empty()) return std::nullopt;
+    tried.outcome = shop_.judge(seen.scored, described(tried));
+    tried.outcome.hours_ratio = hours(tried.outcome) / std::max(least_h_, 1e-12);
+    // Pieces of a line are legs of that score.
+    const auto& w = tried.built.route.waypoints;
+    const std::vector<Leg> all = legs(tried.built.route);
+    tried.outcome.infeasible_legs = static_cast<std::size_t>(std::count_if(
+        all.begin(), all.end(), [&](const Leg& leg) { return !w[leg.first].feasible; }));
+    return seen;
+  }
+
+  /// Prunes `from`, which `seen` was counted of, down to `floor` per cent. What is better goes into
+  /// `best`, with what was counted of it.
+  void without_the_least(Tried from, SoundedLines seen, double floor, Tried& best,
+                         std::optional<SoundedLines>& seen_of_best) {
+    double reserve = kHoursReserve;
+    for (int k = 0; k < kHoursPrunings && !options_.watch.ended(); ++k) {
+      PrunedRoute less = pruned(seen, shop_,
+                                {.goal_pct = std::min(floor + reserve, from.outcome.cover_pct),
+                                 .seconds_of_point = kHoursOfPointBeyond * from.outcome.duration_s,
+                                 .detour_s = detour_s()});
+      if (less.dropped + less.trimmed == 0) return;
+      Tried now = from;
+      now.built = std::move(less.built);
+      now.counts.dropped += less.dropped;
+      now.counts.trimmed += less.trimmed;
+      std::optional<SoundedLines> again = sounded(now);
+      if (!again) return;
+      const double short_of = floor - now.outcome.cover_pct;
+      if (short_of > 0.0) {
+        // Turns took more of the lines than was counted.
+        reserve += kHoursReserve + short_of;
+        continue;
+      }
+      if (cost_h(now.outcome) >= cost_h(from.outcome)) return;
+      from = std::move(now);
+      seen = std::move(*again);
+      if (cost_h(from.outcome) < cost_h(best.outcome)) {
+        best = from;
+        seen_of_best = seen;
+        finished_.push_back(best);
+        options_.watch.tried(finished_.size(), 0, brief(best.outcome));
+      }
+    }
+  }
+
+  /// Returns the last of the filled plans.
+  Tried fill_in(const Tried& base, CoverageGrid grid) {
     Tried now = base;
-    std::size_t passes = 0;
     std::size_t price = 0;
     const int most = rays_ > kHoursRaysOfHuge ? 2 : kHoursMostFillings;
     const double area = area_m2(shop_.ground().survey_area);
     for (int round = 0; round < most && price < std::size(kHoursGains);) {
       const double missing = goal_ - now.outcome.cover_pct;
-      if (missing <= 0.0 || options_.watch.ended()) return;
+      if (missing <= 0.0 || options_.watch.ended()) break;
       InfilledRoute filled = with_infill(now.built.route, grid, shop_,
                                          {.least_gain = kHoursGains[price],
                                           .enough_m2 = missing / 100.0 * area,
@@ -589,12 +731,12 @@ class HoursSearch {
       if (!filled.enough) ++price;
       if (filled.passes == 0) continue;
       ++round;
-      passes += filled.passes;
+      now.counts.passes += filled.passes;
       now.built = std::move(filled.built);
-      now.outcome.what =
-          fmt::format("{}, {}", base.outcome.what, counted(passes, "infill pass", "infill passes"));
+      now.outcome.what = described(now);
       grid = judge_in_full(now);
     }
+    return now;
   }
 
   // --- the pick
@@ -612,7 +754,7 @@ class HoursSearch {
     const auto less = [&](const Outcome& a, const Outcome& b) {
       if (reaches(a) != reaches(b)) return reaches(a);
       if (most_cover && reaches(a)) return a.cover_pct > b.cover_pct;
-      if (goal.coverage_pct && !reaches(a)) return a.cover_pct > b.cover_pct;
+      if (!reaches(a)) return a.cover_pct > b.cover_pct;
       return cost_h(a) < cost_h(b);
     };
     const auto best = std::min_element(list.begin(), list.end(), less);
@@ -630,11 +772,11 @@ class HoursSearch {
       return {index,
               fmt::format("the fewest hours whose logged lines cover at least {:.4g} % of the "
                           "cells; a point more counts {:g} % of the hours",
-                          goal_, 100.0 * kHoursBeyondGoal)};
+                          goal_, 100.0 * kHoursOfPointBeyond)};
     }
-    return {index, fmt::format(
-                       "no plan that was tried reaches {:.4g} %: this one has {}", goal_,
-                       goal.coverage_pct ? "the most coverage" : "the best of hours and coverage")};
+    return {index, fmt::format("no plan that was tried reaches {:.4g} %: this one has the most "
+                               "coverage",
+                               goal_)};
   }
 
   Plan picked() {
@@ -688,6 +830,12 @@ class HoursSearch {
 
 Plan plan_fewest_hours(const Ground& ground, const PlanOptions& options) {
   check(options);
+  if (options.soundings > kMostCounted) {
+    throw UsageError("soundings", fmt::format("{:g}", options.soundings),
+                     fmt::format("must be at most {:g} where lines are laid for the fewest hours: "
+                                 "more logged soundings of a cell are not told apart",
+                                 kMostCounted));
+  }
   return HoursSearch(ground, options).run();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planners/fitted/coverage_goal.h"
 #include "planners/plan.h"
 
 namespace swathplan {
@@ -13,10 +14,5 @@ namespace swathplan {
 /// without a goal that is kUsualGoal per cent of the cells. `ground` must hold its scene.
 /// @throws InvalidInput where no line fits into the water; UsageError for options out of range.
 [[nodiscard]] Plan plan_fewest_hours(const Ground& ground, const PlanOptions& options);
-
-/// Logged coverage that a plan is to reach where none is asked for, per cent.
-inline constexpr double kUsualGoal = 98.0;
-/// The same where several soundings a cell are wanted, as S-44's annex has it for five.
-inline constexpr double kUsualGoalSeveral = 95.0;
 
 }  // namespace swathplan

@@ -8,8 +8,19 @@
 #include "planners/fitted/held_fans.h"
 #include "planners/fronts/field_lines.h"
 #include "planners/fronts/rate_width.h"
+#include "planners/steering/dubins.h"
 
 namespace swathplan {
+namespace {
+
+/// Between ends that lie farther apart than so many turn radii, an estimate of turns will do.
+constexpr double kNearRadii = 8.0;
+
+/// Straight ways are sailed at the speed of lines from this share of those on that are worth
+/// speeding up for.
+constexpr double kSomeStraight = 0.5;
+
+}  // namespace
 
 LineWorkshop::LineWorkshop(const Ground& ground, const PlanOptions& options)
     : ground_(ground),
@@ -101,16 +112,35 @@ int LineWorkshop::numbered(std::vector<Waypoint>& line, int number) const {
 
 LineCost LineWorkshop::cost_of_joins() const {
   if (options_.counted != Counted::logged) return std::cref(joins_);
-  // About half a circle is sailed at the speed of turns. The rest is faster where it is long.
   return [this](const Vec2& a, const Vec2& course_a, const Vec2& b, const Vec2& course_b) {
-    const Vehicle& vehicle = options_.vehicle;
-    const double metres = joins_(a, course_a, b, course_b);
-    const double turn = std::min(metres, std::numbers::pi * vehicle.turn_radius_m);
-    const double rest = metres - turn;
-    const bool fast = rest >= kStraightRadii * vehicle.turn_radius_m;
-    return turn / vehicle.turn_speed_mps +
-           rest / (fast ? vehicle.transit_speed_mps : vehicle.turn_speed_mps);
+    return join_seconds(a, course_a, b, course_b);
   };
+}
+
+double LineWorkshop::join_seconds(const Vec2& a, const Vec2& course_a, const Vec2& b,
+                                  const Vec2& course_b) const {
+  const Vehicle& vehicle = options_.vehicle;
+  const double straight = (b - a).norm();
+  const double way = joins_.way(a, b);
+  double metres = way + joins_.turning(a, course_a, b, course_b, way);
+  // About half a circle is sailed at the speed of turns. The rest is faster where it is long.
+  double turn = std::min(metres, std::numbers::pi * vehicle.turn_radius_m);
+  if (way <= straight && straight < kNearRadii * vehicle.turn_radius_m) {
+    const DubinsPath path =
+        dubins_paths({a, course_a}, {b, course_b}, (1.0 + kRadiusReserve) * vehicle.turn_radius_m)
+            .front();
+    metres = path.length_m();
+    turn = metres - path.straight_m();
+  }
+  const double rest = metres - turn;
+  const double worth_m = kStraightRadii * vehicle.turn_radius_m;
+  double speed = vehicle.turn_speed_mps;
+  if (rest >= worth_m) {
+    speed = vehicle.transit_speed_mps;
+  } else if (rest >= kSomeStraight * worth_m) {
+    speed = std::max(speed, std::min(vehicle.speed_mps, vehicle.transit_speed_mps));
+  }
+  return turn / vehicle.turn_speed_mps + rest / speed;
 }
 
 BuiltRoute LineWorkshop::build(const std::vector<SurveyCurve>& lines,
@@ -176,6 +206,18 @@ BuiltRoute LineWorkshop::with_smooth_joins(BuiltRoute built) const {
 }
 
 ScoredRoute LineWorkshop::score(const Route& route, int coarse, Swath swath) const {
+  return score(route, coarse, how_to_score(coarse, swath));
+}
+
+ScoredRoute LineWorkshop::score(
+    const Route& route,
+    std::function<void(std::uint32_t, std::span<const std::uint32_t>)> logged_cells) const {
+  ScoreOptions how = how_to_score(1, Swath::counted);
+  how.logged_cells = std::move(logged_cells);
+  return score(route, 1, how);
+}
+
+ScoreOptions LineWorkshop::how_to_score(int coarse, Swath swath) const {
   ScoreOptions how;
   how.resolution_m = coarse * options_.resolution_m;
   how.pings = options_.pings;
@@ -185,6 +227,10 @@ ScoredRoute LineWorkshop::score(const Route& route, int coarse, Swath swath) con
   how.swath_share = swath == Swath::counted ? counted_share(options_) : 1.0;
   how.noise = options_.noise;
   how.threads = options_.threads;
+  return how;
+}
+
+ScoredRoute LineWorkshop::score(const Route& route, int coarse, const ScoreOptions& how) const {
   Sonar sonar = options_.sonar;
   sonar.beams = std::max(2, sonar.beams / coarse);
   sonar.beam_width_along = Angle::radians(coarse * sonar.beam_width_along.rad());

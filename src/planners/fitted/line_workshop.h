@@ -62,6 +62,14 @@ class LineWorkshop {
   /// less by the square of the factor.
   [[nodiscard]] ScoredRoute score(const Route& route, int coarse = 1,
                                   Swath swath = Swath::counted) const;
+  /// Scores a route on the true cells and hands out what its legs sound, as ScoreOptions has it.
+  [[nodiscard]] ScoredRoute score(
+      const Route& route,
+      std::function<void(std::uint32_t, std::span<const std::uint32_t>)> logged_cells) const;
+  /// The score of a route that is not sailed yet: the true cells, all empty.
+  [[nodiscard]] ScoredRoute empty_score() const {
+    return {{}, CoverageGrid(ground_.survey_area, options_.resolution_m, ground_.lattice)};
+  }
   /// The share of cells that is covered, as the options count them, %.
   [[nodiscard]] double cover_pct(const ScoredRoute& scored) const;
   /// Whether cell i of a scored grid is covered, as the options count it.
@@ -69,6 +77,11 @@ class LineWorkshop {
   [[nodiscard]] Outcome judge(const Route& route, int coarse, std::string what) const;
   /// The same of a route that is scored already.
   [[nodiscard]] Outcome judge(const ScoredRoute& scored, std::string what) const;
+
+  /// Seconds of a join from one place and course to another, estimated: circles are sailed at the
+  /// speed of turns, long straight ways at that of transits.
+  [[nodiscard]] double join_seconds(const Vec2& a, const Vec2& course_a, const Vec2& b,
+                                    const Vec2& course_b) const;
 
   static constexpr double kLineClearance = 0.05;
 
@@ -83,6 +96,8 @@ class LineWorkshop {
   [[nodiscard]] int numbered(std::vector<Waypoint>& line, int number) const;
   /// What joins cost: metres, and where logged lines count, seconds.
   [[nodiscard]] LineCost cost_of_joins() const;
+  [[nodiscard]] ScoreOptions how_to_score(int coarse, Swath swath) const;
+  [[nodiscard]] ScoredRoute score(const Route& route, int coarse, const ScoreOptions& how) const;
   const Ground& ground_;
   const PlanOptions& options_;
   PlanOptions with_arcs_;

@@ -32,8 +32,12 @@ void cut_end(std::vector<Waypoint>& line, double off) {
   if ((line.back().position - last.position).norm() > LinePoses::kCoincidentM) line.push_back(last);
 }
 
-/// Makes the straight stretches of a join transits, and the rest turns. `join`: its waypoints, and
-/// as the last one the place where it ends.
+/// Straight stretches of a join are sailed at the speed of lines from this share of those on that
+/// are worth speeding up for.
+constexpr double kAsOnLines = 0.5;
+
+/// Makes the long straight stretches of a join transits, and the rest turns. `join`: its waypoints,
+/// and as the last one the place where it ends.
 void speed_up(std::vector<Waypoint>& join, const Vehicle& vehicle) {
   // Chords of a curve turn by more than this from one to the next.
   constexpr double kStraight = 1e-3;
@@ -47,10 +51,15 @@ void speed_up(std::vector<Waypoint>& join, const Vehicle& vehicle) {
       metres += (join[next + 1].position - join[next].position).norm();
       ++next;
     } while (next + 1 < join.size() && (course(next) - course(first)).norm() < kStraight);
-    const bool straight = metres >= kStraightRadii * vehicle.turn_radius_m;
+    const double worth_m = kStraightRadii * vehicle.turn_radius_m;
+    const bool straight = metres >= worth_m;
+    const double on_the_way = metres >= kAsOnLines * worth_m
+                                  ? std::max(vehicle.turn_speed_mps,
+                                             std::min(vehicle.speed_mps, vehicle.transit_speed_mps))
+                                  : vehicle.turn_speed_mps;
     for (std::size_t i = first; i < next; ++i) {
       join[i].kind = straight ? LegKind::transit : LegKind::turn;
-      join[i].speed_mps = straight ? vehicle.transit_speed_mps : vehicle.turn_speed_mps;
+      join[i].speed_mps = straight ? vehicle.transit_speed_mps : on_the_way;
     }
   }
 }

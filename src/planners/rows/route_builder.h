@@ -32,7 +32,7 @@ inline constexpr double kStraightRadii = 4.0;
 /// through the water (connect.h): by a `turn` where the lines end within two lanes of
 /// each other, else by a `transit`. Both keep the fan of the line before and are not logged. Where
 /// logged legs count, the boat speeds up on the way: straight stretches of kStraightRadii turn
-/// radii or more are a `transit`, and all else of a join is a `turn`. Where no forward path was
+/// radii or more are a `transit`, half as long ones a `turn` at the lines' speed. Where no path was
 /// found, the join is marked `feasible = false`. With `options.smooth` the bends of joins are
 /// smoothed (join_smoothing.h), until the watch ends the search.
 class RouteBuilder {

@@ -124,6 +124,12 @@ std::vector<Vec2> DubinsPath::points(double step_m) const {
   return result;
 }
 
+double DubinsPath::straight_m() const {
+  double metres = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) metres += turn_[k] == 0 ? piece_[k] : 0.0;
+  return metres;
+}
+
 std::vector<DubinsPath> dubins_paths(const Pose& from, const Pose& to, double radius_m) {
   const Vec2 way = to.position - from.position;
   const double bearing = way.squaredNorm() > 0.0 ? std::atan2(way.y(), way.x()) : heading(from);

@@ -21,6 +21,8 @@ class DubinsPath {
              const std::array<double, 3>& piece_m);
 
   [[nodiscard]] double length_m() const { return piece_[0] + piece_[1] + piece_[2]; }
+  /// What of it is straight.
+  [[nodiscard]] double straight_m() const;
   /// Where the boat is after `along_m` metres, in [0, length_m()].
   [[nodiscard]] Pose at(double along_m) const;
   /// Points at an even spacing of at most `step_m`, both ends included.

@@ -88,10 +88,21 @@ TEST(Verdict, TheBestPlanIsSoundThenPassesThenTakesTheFewestHours) {
   grounded.route.outside_water_m = 5.0;
   std::vector<ComparedPlan> plans{{"quick", &quick}, {"dense", &dense}, {"grounded", &grounded}};
   EXPECT_EQ(internal::best_plan(plans), 1U);
-  EXPECT_THAT(internal::overall_verdict(plans), HasSubstr("The best of 3 plans is dense: "));
-  quick.logged.hit_pct = 97.9;  // as good as 98.24 where hours decide
+  EXPECT_EQ(internal::overall_verdict(plans), "The best of 3 plans is dense: the most coverage.");
+  quick.goal = {.wanted_pct = 98.0, .covered_pct = 90.0};
+  dense.goal = {.wanted_pct = 98.0, .covered_pct = 97.9};
+  EXPECT_EQ(internal::best_plan(plans), 1U);
+  EXPECT_EQ(internal::overall_verdict(plans),
+            "The best of 3 plans is dense: the most coverage, as none reaches 98 % of the cells.");
+  // Both reach it: a point more counts 1 % of the hours, 3,000 or 3,420 s.
+  quick.goal->covered_pct = 98.1;
+  dense.goal->covered_pct = 99.9;
   EXPECT_EQ(internal::best_plan(plans), 0U);
-  quick.logged.hit_pct = 90.0;
+  EXPECT_THAT(internal::overall_verdict(plans),
+              HasSubstr("is quick: the fewest hours that cover at least 98 % of the cells"));
+  dense.route.duration_s = 3030.0;
+  EXPECT_EQ(internal::best_plan(plans), 1U);
+  quick.goal->covered_pct = dense.goal->covered_pct = 90.0;
   JudgedSurvey passes = test::judged_survey();
   passes.verdict.pass = true;
   plans[0].judged = plans[1].judged = &passes;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "mesh/synthetic.h"
 #include "planners/test_site.h"
 
@@ -90,8 +92,19 @@ TEST(RouteBuilder, WhereLoggedLegsCountAJoinSpeedsUpOnItsStraightStretch) {
       EXPECT_NEAR(course.x(), 1.0, 1e-3);
     }
   }
-  const Route near = joined(2.0 * radius + 0.5 * kStraightRadii * radius);
-  for (const Waypoint& w : near.waypoints) EXPECT_NE(w.kind, LegKind::transit);
+  const Route near = joined(2.0 * radius + 0.75 * kStraightRadii * radius);
+  std::set<double> speeds;
+  for (const Waypoint& w : near.waypoints) {
+    EXPECT_NE(w.kind, LegKind::transit);
+    if (w.kind == LegKind::turn) speeds.insert(w.speed_mps);
+  }
+  EXPECT_EQ(speeds,
+            (std::set<double>{bench.how.vehicle.turn_speed_mps, bench.how.vehicle.speed_mps}));
+  speeds.clear();
+  for (const Waypoint& w : joined(2.0 * radius + 0.3 * kStraightRadii * radius).waypoints) {
+    if (w.kind == LegKind::turn) speeds.insert(w.speed_mps);
+  }
+  EXPECT_EQ(speeds, std::set<double>{bench.how.vehicle.turn_speed_mps});
 }
 
 TEST(RouteBuilder, RunsInAndOutLieStraightBeforeAndBehindTheLine) {
