@@ -74,6 +74,8 @@ constexpr double kHoursPrunedBeyond = 0.75;
 constexpr std::size_t kHoursExchanged = 2;
 constexpr double kHoursBeyond[] = {0.5, 0.3};
 constexpr double kHoursExchangeGain = 0.06;
+/// What pieces of lines sound takes some tens of bytes a cell. Larger areas are not pruned.
+constexpr double kHoursMostPrunedCells = 2e7;
 /// Rounds of pruning, and points of coverage beyond the goal that it leaves: pings fall elsewhere
 /// afterwards.
 constexpr int kHoursPrunings = 2;
@@ -622,6 +624,9 @@ class HoursSearch {
   /// Plans are pruned that are judged by hits and by hours.
   [[nodiscard]] bool may_prune() const {
     const PlanGoal& goal = options_.goal;
+    const double cells =
+        area_m2(shop_.ground().survey_area) / (options_.resolution_m * options_.resolution_m);
+    if (cells > kHoursMostPrunedCells || rays_ > kHoursRaysOfHuge) return false;
     return options_.criterion == nullptr && options_.cover == Cover::hit && !goal.length_m &&
            !goal.time_s && options_.run_in_m == 0.0 && options_.run_out_m == 0.0;
   }

@@ -143,7 +143,7 @@ class Pruner {
         }
         if (a + b == 0) continue;
         Change change{kNoLine, i, j, a, b, lost, saved + now_s - join_s(i, a, j, b)};
-        if (change.saved_s < kLeastSaved) continue;
+        if (change.saved_s < kLeastSaved || change.lost > spare_) continue;
         if (!best || change.price() < best->price() ||
             (change.price() == best->price() && change.saved_s > best->saved_s)) {
           best = change;
