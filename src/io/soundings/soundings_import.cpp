@@ -79,9 +79,12 @@ class RowReader {
       line_ = lines.number();
       if (row.empty()) continue;
       if (is_comment(row)) {
-        style_
-            ? check_same_columns(row.substr(std::min(row.find_first_not_of("#/%! "), row.size())))
-            : keep_comment(row);
+        if (style_) {
+          const std::size_t first = row.find_first_not_of("#/%!");
+          check_same_columns(trim(row.substr(std::min(first, row.size()))));
+        } else {
+          keep_comment(row);
+        }
       } else if (row.starts_with('>')) {
         note_stray(row);  // the head of a segment
       } else if (!style_ && !is_first_row(row)) {
@@ -549,6 +552,8 @@ class RowReader {
   void check_same_columns(std::string_view row) const {
     if (row.empty() || is_own_header(row)) return;
     for (const char separator : {style_->separator, ',', ';', '\t', ' '}) {
+      // A sentence may hold the words 'east', 'north' and 'depth' too.
+      if (filled(split_header(row, separator)) != width_) continue;
       const std::optional<SoundingColumns> named = named_columns(row, separator);
       if (!named) continue;
       const auto places = [](const SoundingColumns& c) {
