@@ -11,16 +11,16 @@
 #include <tuple>
 
 #include "mesh/base/error.h"
-#include "planners/fitted/coverage_goal.h"
 #include "planners/fitted/edge_following.h"
 #include "planners/fitted/infill.h"
 #include "planners/fitted/line_workshop.h"
-#include "planners/fitted/part_within.h"
 #include "planners/fitted/pruning.h"
+#include "planners/fronts/coverage_goal.h"
 #include "planners/fronts/field_lines.h"
 #include "planners/fronts/fitted_straight.h"
 #include "planners/fronts/headland.h"
 #include "planners/fronts/rate_width.h"
+#include "planners/rows/part_within.h"
 #include "planners/rows/survey_lines.h"
 #include "planners/wording.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planners/fitted/coverage_goal.h"
+#include "planners/fronts/coverage_goal.h"
 #include "planners/plan.h"
 
 namespace swathplan {

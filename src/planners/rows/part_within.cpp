@@ -1,4 +1,4 @@
-#include "planners/fitted/part_within.h"
+#include "planners/rows/part_within.h"
 
 #include <algorithm>
 

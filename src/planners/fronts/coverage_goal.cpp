@@ -1,4 +1,4 @@
-#include "planners/fitted/coverage_goal.h"
+#include "planners/fronts/coverage_goal.h"
 
 #include <algorithm>
 #include <cstddef>
