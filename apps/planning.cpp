@@ -224,6 +224,10 @@ Scorer::Scorer(const Site& site, const Survey& survey, Watch watch)
   if (survey.judging) {
     judge_.emplace(ground_, *survey.judging->criterion, survey.judging->budget,
                    survey.judging->how);
+    PlanOptions by_criterion = survey.planning;
+    by_criterion.criterion = &judge_->criterion();
+    by_criterion.uncertainty = &judge_->uncertainty();
+    least_hours_ = least_hours(raster, by_criterion);
   }
 }
 

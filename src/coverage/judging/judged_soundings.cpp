@@ -38,6 +38,7 @@ void SoundingMaker::append_fan(const TracedPings& block, std::size_t k,
     s.tvu_m = static_cast<float>(known.tvu_m);
     s.thu_m = static_cast<float>(known.thu_m);
     s.tvu_share = static_cast<float>(known.tvu_m / tvu_limit_m(*criterion_, depth));
+    s.path_m = static_cast<float>(ping.path_m);
     s.line = block.line[k];
     s.accepted = s.tvu_share <= 1.0F && known.thu_m <= thu_limit_m(*criterion_, depth);
     if (const std::optional<double> cube = feature_m(*criterion_, depth)) {

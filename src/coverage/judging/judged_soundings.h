@@ -16,6 +16,7 @@ struct JudgedSounding {
   float tvu_m = 0.0F, thu_m = 0.0F;
   float tvu_share = 0.0F;                            ///< of its limit
   float feature_pings = 0.0F, feature_beams = 0.0F;  ///< on a cube there; 0 where none is asked for
+  float path_m = 0.0F;                               ///< of the route, to its ping
   std::uint32_t line = 0;
   bool accepted = false;
 };

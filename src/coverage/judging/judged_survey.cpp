@@ -137,26 +137,28 @@ class SurveyTrace {
     }
   }
 
-  void run(Filling& filling, JudgedSurvey& result, const ScoreOptions& scoring) {
+  /// Returns the logged pings.
+  std::uint64_t run(const TakeSoundings& take, const ScoreOptions& scoring) {
     std::uint64_t soundings = 0;
-    read(now_, result);
+    read(now_);
     while (now_.count > 0) {
-      arena_.execute([&] { run_both([&] { read(next_, result); }, [&] { make(now_); }); });
+      arena_.execute([&] { run_both([&] { read(next_); }, [&] { make(now_); }); });
       for (std::size_t b = 0; b < now_.count; ++b) {
         soundings += now_.soundings[b].size();
-        for (const JudgedSounding& s : now_.soundings[b]) filling.add(s);
+        take(now_.soundings[b]);
       }
       if (scoring.progress) scoring.progress(reader_.progress(), soundings);
       std::swap(now_, next_);
     }
+    return pings_;
   }
 
  private:
-  void read(JudgingBatch& batch, JudgedSurvey& result) {
+  void read(JudgingBatch& batch) {
     batch.count = 0;
     while (batch.count < batch.blocks.size() &&
            reader_.next(kPingsPerJudgingBlock, batch.blocks[batch.count])) {
-      for (const Ping& ping : batch.blocks[batch.count].pings) result.pings += ping.log ? 1 : 0;
+      for (const Ping& ping : batch.blocks[batch.count].pings) pings_ += ping.log ? 1 : 0;
       ++batch.count;
     }
   }
@@ -172,6 +174,7 @@ class SurveyTrace {
   tbb::task_arena& arena_;
   tbb::enumerable_thread_specific<SoundingMaker>& makers_;
   JudgingBatch now_, next_;
+  std::uint64_t pings_ = 0;
 };
 
 int judging_threads(const ScoreOptions& scoring) {
@@ -191,6 +194,26 @@ SurveyJudge::SurveyJudge(const Ground& ground, const Criterion& criterion,
   if (!options.smooth_seafloor) check_data(criterion, grids_, *ground.seafloor);
 }
 
+std::uint64_t SurveyJudge::trace(const Route& route, const Sonar& sonar, const Vehicle& vehicle,
+                                 const ScoreOptions& scoring, const CoverageGrid& cells,
+                                 const TakeSoundings& take) const {
+  tbb::task_arena arena(judging_threads(scoring));
+  TracedPingReader reader(route, *ground_.scene, sonar, vehicle.draft_m, scoring, cells);
+  tbb::enumerable_thread_specific<SoundingMaker> makers([&] {
+    return SoundingMaker(sonar, vehicle.draft_m, scoring.swath_share, *criterion_, model_);
+  });
+  return SurveyTrace(reader, arena, makers).run(take, scoring);
+}
+
+void SurveyJudge::sound(const Route& route, const Sonar& sonar, const Vehicle& vehicle,
+                        const ScoreOptions& scoring, const TakeSoundings& take) const {
+  if (const auto what = fault(route)) throw InvalidInput("the route cannot be sounded: " + *what);
+  check(sonar, scoring.pings);
+  // Soundings are not sorted into these cells, so one is enough.
+  const double all = extent(ground_.survey_area).size().maxCoeff();
+  trace(route, sonar, vehicle, scoring, CoverageGrid(ground_.survey_area, all), take);
+}
+
 std::vector<JudgedGrid> SurveyJudge::traced(const Route& route, const Sonar& sonar,
                                             const Vehicle& vehicle, const ScoreOptions& scoring,
                                             JudgedSurvey& result) const {
@@ -202,11 +225,9 @@ std::vector<JudgedGrid> SurveyJudge::traced(const Route& route, const Sonar& son
   result.raster = empty_raster(cells);
   std::vector<JudgedGrid> grids = grids_;
   Filling filling(grids, result);
-  TracedPingReader reader(route, *ground_.scene, sonar, vehicle.draft_m, scoring, cells);
-  tbb::enumerable_thread_specific<SoundingMaker> makers([&] {
-    return SoundingMaker(sonar, vehicle.draft_m, scoring.swath_share, *criterion_, model_);
+  result.pings = trace(route, sonar, vehicle, scoring, cells, [&](const auto& soundings) {
+    for (const JudgedSounding& s : soundings) filling.add(s);
   });
-  SurveyTrace(reader, arena, makers).run(filling, result, scoring);
   return grids;
 }
 

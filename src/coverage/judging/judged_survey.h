@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "coverage/ground.h"
+#include "coverage/judging/judged_soundings.h"
 #include "coverage/judging/out_of_reach.h"
 #include "coverage/score.h"
 #include "coverage/standards/judge.h"
@@ -43,6 +46,9 @@ struct JudgingOptions {
   JudgeOptions rules;
 };
 
+/// Takes soundings as they come in.
+using TakeSoundings = std::function<void(std::span<const JudgedSounding>)>;
+
 /// Judges routes over one ground by one criterion; what costs nothing but ground is made once.
 class SurveyJudge {
  public:
@@ -63,15 +69,25 @@ class SurveyJudge {
   [[nodiscard]] std::vector<JudgedGrid> filled(const Route& route, const Sonar& sonar,
                                                const Vehicle& vehicle,
                                                const ScoreOptions& scoring) const;
+  /// Traces the logged pings alone: `take` is given their soundings in the order of the route, some
+  /// at a time, by the calling thread. @throws InvalidInput for a route that is not valid.
+  void sound(const Route& route, const Sonar& sonar, const Vehicle& vehicle,
+             const ScoreOptions& scoring, const TakeSoundings& take) const;
 
   [[nodiscard]] const Ground& ground() const { return ground_; }
   [[nodiscard]] const Criterion& criterion() const { return *criterion_; }
   [[nodiscard]] const UncertaintyModel& uncertainty() const { return model_; }
+  /// The criterion's grids (criterion_grids.h), without soundings.
+  [[nodiscard]] const std::vector<JudgedGrid>& grids() const { return grids_; }
 
  private:
   [[nodiscard]] std::vector<JudgedGrid> traced(const Route& route, const Sonar& sonar,
                                                const Vehicle& vehicle, const ScoreOptions& scoring,
                                                JudgedSurvey& result) const;
+  /// Returns the logged pings.
+  std::uint64_t trace(const Route& route, const Sonar& sonar, const Vehicle& vehicle,
+                      const ScoreOptions& scoring, const CoverageGrid& cells,
+                      const TakeSoundings& take) const;
 
   Ground ground_;
   const Criterion* criterion_;

@@ -90,7 +90,8 @@ bool PingWalker::push(std::vector<Ping>& block) const {
             .fan = *from.fan,
             .leg = leg_of_segment_[segment_],
             .log = from.log,
-            .speed_mps = from.speed_mps};
+            .speed_mps = from.speed_mps,
+            .path_m = at_};
   if (noise_.any()) {
     const double aside = noise_state_[0] * noise_.lateral_sigma_m + noise_.lateral_offset_m;
     ping.position += aside * Vec2(course.y(), -course.x());

@@ -24,6 +24,7 @@ struct Ping {
   std::uint32_t leg = 0;  ///< index into legs(route)
   bool log = true;
   double speed_mps = 0.0;  ///< of the row that is sailed
+  double path_m = 0.0;     ///< sailed so far
 };
 
 /// Departures from ideal tracking. Each is a first-order Gauss-Markov process over distance, so the

@@ -121,6 +121,11 @@ std::optional<AreaRate> best_area_rate(const RateQuestion& question, double dept
 
 LeastHours least_hours(const RateQuestion& question, std::span<const DepthArea> places) {
   check_question(question);
+  return least_hours([&](double) { return std::optional(question); }, places);
+}
+
+LeastHours least_hours(const QuestionAt& question_at, std::span<const DepthArea> places,
+                       double between_m) {
   struct DepthBin {
     double area_m2 = 0.0, volume_m3 = 0.0;
   };
@@ -134,10 +139,14 @@ LeastHours least_hours(const RateQuestion& question, std::span<const DepthArea> 
   LeastHours result;
   for (const auto& [key, bin] : bins) {
     const double depth = bin.volume_m3 / bin.area_m2;
-    const std::optional<AreaRate> best = best_of(question, depth);
+    const std::optional<RateQuestion> question = question_at(depth);
+    if (question) check_question(*question);
+    const std::optional<AreaRate> best = question ? best_of(*question, depth) : std::nullopt;
     if (best) {
+      // What stays unseen is passed no faster than the boat can go.
+      const double rate = best->rate_m2ps + between_m * question->max_speed_mps;
       result.area_m2 += bin.area_m2;
-      result.hours += bin.area_m2 / best->rate_m2ps / 3600.0;
+      result.hours += bin.area_m2 / rate / 3600.0;
       result.deepest_m = depth;
     } else {
       result.unreachable_m2 += bin.area_m2;

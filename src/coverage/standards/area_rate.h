@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -67,6 +68,12 @@ struct LeastHours {
 /// taken together, by their mean. O(places).
 [[nodiscard]] LeastHours least_hours(const RateQuestion& question,
                                      std::span<const DepthArea> places);
+/// What is asked at a depth below the sonar; empty where no fan serves.
+using QuestionAt = std::function<std::optional<RateQuestion>(double depth_m)>;
+/// The same where the question hangs on the depth. `between_m`: ground that may stay unseen between
+/// neighbouring swaths, metres across the lines.
+[[nodiscard]] LeastHours least_hours(const QuestionAt& question_at,
+                                     std::span<const DepthArea> places, double between_m = 0.0);
 inline constexpr double kDepthBin = 0.005;  ///< share of the depth
 
 }  // namespace swathplan

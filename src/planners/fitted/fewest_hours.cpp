@@ -170,6 +170,27 @@ class HoursSearch {
     return picked();
   }
 
+  std::vector<LaidLines> lines(std::size_t most) {
+    if (!(swath_m_ > 0.0)) throw InvalidInput(kHoursNoLines);
+    plan_the_budget();
+    options_.watch.phase("searching");
+    first_ways();
+    if (pool_.empty()) throw InvalidInput(kHoursNoLines);
+    vary_the_best();
+    std::stable_sort(pool_.begin(), pool_.end(), [&](const Tried& a, const Tried& b) {
+      return cost_h(a.outcome) < cost_h(b.outcome);
+    });
+    std::vector<LaidLines> result;
+    for (Tried& tried : pool_) {
+      if (result.size() == most) break;
+      const bool known = std::any_of(result.begin(), result.end(), [&](const LaidLines& other) {
+        return other.what == tried.outcome.what;
+      });
+      if (!known) result.push_back({std::move(tried.built), std::move(tried.outcome.what)});
+    }
+    return result;
+  }
+
  private:
   static constexpr const char* kHoursNoLines =
       "no survey line fits into the water of the survey area; check <area>, <no go>, <least line> "
@@ -837,6 +858,12 @@ Plan plan_fewest_hours(const Ground& ground, const PlanOptions& options) {
                                  kMostCounted));
   }
   return HoursSearch(ground, options).run();
+}
+
+std::vector<LaidLines> lines_for_fewest_hours(const Ground& ground, const PlanOptions& options,
+                                              std::size_t most) {
+  check(options);
+  return HoursSearch(ground, options).lines(most);
 }
 
 }  // namespace swathplan

@@ -2,6 +2,7 @@
 
 #include "planners/fronts/coverage_goal.h"
 #include "planners/plan.h"
+#include "planners/rows/route_builder.h"
 
 namespace swathplan {
 
@@ -14,5 +15,16 @@ namespace swathplan {
 /// without a goal that is kUsualGoal per cent of the cells. `ground` must hold its scene.
 /// @throws InvalidInput where no line fits into the water; UsageError for options out of range.
 [[nodiscard]] Plan plan_fewest_hours(const Ground& ground, const PlanOptions& options);
+
+/// Lines of a search, before any gap is filled.
+struct LaidLines {
+  BuiltRoute built;
+  std::string what;  ///< how they are laid
+};
+/// The lines that the same search finds best, at most so many, the best first; all are laid in
+/// different ways. @throws as plan_fewest_hours().
+[[nodiscard]] std::vector<LaidLines> lines_for_fewest_hours(const Ground& ground,
+                                                            const PlanOptions& options,
+                                                            std::size_t most);
 
 }  // namespace swathplan

@@ -14,6 +14,8 @@ namespace swathplan {
 class Itinerary {
  public:
   Itinerary(const Route& route, const JoinCost& cost);
+  Itinerary(std::vector<RouteStretch> stretches, const JoinCost& cost)
+      : stretches_(std::move(stretches)), cost_(cost) {}
 
   struct Place {
     std::size_t before = 0;  ///< the stretch before which the pass goes; their number: at the end

@@ -22,7 +22,21 @@ constexpr double kSomeStraight = 0.5;
 
 }  // namespace
 
-LineWorkshop::LineWorkshop(const Ground& ground, const PlanOptions& options)
+namespace {
+
+Connector connector_with(const Ground& ground, const PlanOptions& options,
+                         std::optional<double> longest_cut) {
+  if (!longest_cut) return connector_for(ground, options);
+  return {ground.water,
+          {.radius_m = options.vehicle.turn_radius_m,
+           .longest_cut = *longest_cut,
+           .frame = ground.seafloor ? ground.seafloor->frame : Frame{}}};
+}
+
+}  // namespace
+
+LineWorkshop::LineWorkshop(const Ground& ground, const PlanOptions& options,
+                           std::optional<double> longest_cut)
     : ground_(ground),
       options_(options),
       with_arcs_(options),
@@ -30,7 +44,7 @@ LineWorkshop::LineWorkshop(const Ground& ground, const PlanOptions& options)
       survey_area_(ground.survey_area),
       lines_in_(offset(ground.water, -kLineClearance)),
       joins_(ground.water, options.vehicle.turn_radius_m),
-      connector_(connector_for(ground, options)) {
+      connector_(connector_with(ground, options, longest_cut)) {
   with_arcs_.smooth.reset();
 }
 

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "coverage/score.h"
 #include "mesh/plane/area_query.h"
@@ -21,7 +22,9 @@ enum class Swath { counted, whole };
 /// simulator. `ground` and `options` must outlive it.
 class LineWorkshop {
  public:
-  LineWorkshop(const Ground& ground, const PlanOptions& options);
+  /// `longest_cut`: as ConnectOptions has it, for the joins of lines; empty: its usual share.
+  LineWorkshop(const Ground& ground, const PlanOptions& options,
+               std::optional<double> longest_cut = {});
 
   [[nodiscard]] const Ground& ground() const { return ground_; }
   [[nodiscard]] const PlanOptions& options() const { return options_; }

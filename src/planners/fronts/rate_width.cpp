@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coverage/standards/criterion_fan.h"
+#include "coverage/standards/judge.h"
 
 namespace swathplan {
 
@@ -40,11 +41,20 @@ RateQuestion rate_question(const PlanOptions& options, double stretch) {
 LeastHours hours_and_reach(const WaterRaster& raster, const PlanOptions& options) {
   const double cell_m2 = raster.cell_m() * raster.cell_m();
   std::vector<DepthArea> places;
+  double depths = 0.0;
   for (std::size_t i = 0; i < raster.size(); ++i) {
     if (!raster.in_area(i)) continue;
     places.push_back({raster.depth(i) - options.vehicle.draft_m, cell_m2});
+    depths += raster.depth(i);
   }
-  return least_hours(rate_question(options), places);
+  if (options.criterion == nullptr) return least_hours(rate_question(options), places);
+  const Criterion& criterion = *options.criterion;
+  const bool spread = criterion.gap == GapRule::spread && !places.empty();
+  const double between = spread ? depths_apart_m(depths / static_cast<double>(places.size())) : 0.0;
+  LeastHours hours =
+      least_hours([&](double below) { return question_at(options, 1.0, below); }, places, between);
+  if (!spread) hours.hours *= lines_asked(criterion);
+  return hours;
 }
 
 double least_hours(const WaterRaster& raster, const PlanOptions& options) {

@@ -13,6 +13,9 @@ namespace swathplan {
 [[nodiscard]] RateQuestion rate_question(const PlanOptions& options, double stretch = 1.0);
 
 /// The least hours of the area (area_rate.h), by the depths of its cells, and what no fan reaches.
+/// With a criterion: by its cells, soundings and cubes and the fan that it accepts at each depth,
+/// twice where two lines must see each place, and less by the ground that may stay unseen between
+/// lines where it asks for depths no farther apart than a distance.
 [[nodiscard]] LeastHours hours_and_reach(const WaterRaster& raster, const PlanOptions& options);
 /// The hours alone.
 [[nodiscard]] double least_hours(const WaterRaster& raster, const PlanOptions& options);

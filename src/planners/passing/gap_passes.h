@@ -4,6 +4,7 @@
 
 #include "planners/fitted/itinerary.h"
 #include "planners/fitted/line_workshop.h"
+#include "planners/passing/shown_cells.h"
 
 namespace swathplan {
 
@@ -11,13 +12,8 @@ namespace swathplan {
 struct GapCell {
   Vec2 position = Vec2::Zero();  ///< its centre, local metres
   double depth_m = 0.0;
-  int lines = 1;  ///< that must still see it
-};
-
-/// How far the boat may be off and still see what a pass is for.
-struct Unsteadiness {
-  double aside_m = 0.0;
-  Angle heading;
+  int lines = 1;                    ///< that must still see it
+  std::size_t grid = 0, index = 0;  ///< which of the criterion's grids it is of, and which cell
 };
 
 struct GapPassOptions {
@@ -38,9 +34,9 @@ struct GapPasses {
 };
 
 /// Inserts passes into the itinerary from which the sonar sees the cells: no wall or shoal stands
-/// between, also if the boat is as unsteady as told, and the sonar's coverage curve reaches there.
-/// A pass is no shorter than the options' least line, lies in `shop.lines_in()` and has room to
-/// turn at its ends. The one that sees the most cells for its metres comes first.
+/// between, on whichever side the boat is off as told, and the sonar's coverage curve reaches
+/// there. A pass is no shorter than the options' least line, lies in `shop.lines_in()` and has room
+/// to turn at its ends. The one that sees the most cells for the metres that it adds comes first.
 [[nodiscard]] GapPasses insert_gap_passes(const std::vector<GapCell>& cells, LineWorkshop& shop,
                                           const GapPassOptions& options, Itinerary& itinerary);
 
