@@ -12,6 +12,7 @@
 #include "io/covered/import_covered.h"
 #include "io/files/crs.h"
 #include "io/files/lonlat.h"
+#include "io/files/unpacked.h"
 #include "io/mosaic/mosaic.h"
 #include "io/seafloor/area_import.h"
 #include "io/water/tide_import.h"
@@ -139,12 +140,47 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   return std::filesystem::equivalent(a, b, error);
 }
 
+/// A chart that is packed as one with others, laid out for as long as this lives.
+class OpenedChart {
+ public:
+  OpenedChart(std::filesystem::path file, const std::string& layer) : file_(std::move(file)) {
+    if (is_packed(file_)) unpacked_.emplace(file_, layer);
+  }
+  [[nodiscard]] const std::filesystem::path& file() const {
+    return unpacked_ ? unpacked_->file() : file_;
+  }
+  [[nodiscard]] std::string in_words(std::string text) const {
+    return unpacked_ ? unpacked_->in_words(std::move(text)) : text;
+  }
+
+ private:
+  std::filesystem::path file_;
+  std::optional<Unpacked> unpacked_;
+};
+
+Hazards hazards_in(const std::filesystem::path& file, const std::string& layer,
+                   const std::vector<HazardChoice>& how, const Frame& frame, const Box2& near) {
+  const OpenedChart chart(file, layer);
+  try {
+    Hazards hazards = read_hazards(chart.file(), how, frame, near);
+    for (auto* texts : {&hazards.notes, &hazards.warnings}) {
+      for (std::string& text : *texts) text = chart.in_words(std::move(text));
+    }
+    return hazards;
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(chart.in_words(error.what()));
+  }
+}
+
 /// The hazards of the chart that is the seafloor, and of the files that were named.
 void add_hazards(Site& site, const SiteOptions& options) {
   const HazardChoices choices = parse_hazards(options.hazards);
   std::vector<std::filesystem::path> charts;
   if (site.imported.kind == "chart") charts = files_of(options);
-  std::erase_if(charts, [](const std::filesystem::path& file) { return !is_chart(file); });
+  const std::string layer = import_options(options).layer;
+  std::erase_if(charts, [&](const std::filesystem::path& file) {
+    return !is_chart(OpenedChart(file, layer).file());
+  });
   std::map<std::filesystem::path, std::vector<HazardChoice>> by_file;
   for (const std::filesystem::path& chart : charts) {
     if (choices.unasked) by_file[chart].push_back({});
@@ -165,7 +201,7 @@ void add_hazards(Site& site, const SiteOptions& options) {
   }
   const Box2 near = extent(site.seafloor());
   for (const auto& [file, how] : by_file) {
-    append(site.hazards, read_hazards(file, how, site.seafloor().frame, near));
+    append(site.hazards, hazards_in(file, layer, how, site.seafloor().frame, near));
   }
   std::string text;
   for (const HazardCount& c : site.hazards.counts) {

@@ -38,7 +38,8 @@ GDALDatasetUniquePtr open_s57(const fs::path& path, bool with_updates) {
                                                 drivers, options, nullptr));
 }
 
-/// The numbers of the updates that lie beside a cell ('.001', '.002', ...).
+}  // namespace
+
 std::set<int> updates_beside(const fs::path& path) {
   std::set<int> numbers;
   std::error_code error;
@@ -53,6 +54,8 @@ std::set<int> updates_beside(const fs::path& path) {
   numbers.erase(0);
   return numbers;
 }
+
+namespace {
 
 /// The first feature of DSID, which tells of the whole cell.
 OGRFeatureUniquePtr header_of(GDALDataset& file) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 
@@ -23,6 +24,9 @@ struct ChartCell {
 /// @throws InvalidInput if it cannot be read (S-63: encrypted), if an update is missing beside it,
 ///   if its depths are not in metres, or if its usage band is too coarse for lines of a survey.
 [[nodiscard]] GDALDatasetUniquePtr open_chart(const std::filesystem::path& path, ChartCell& cell);
+
+/// The numbers of the updates that lie beside a cell ('.001', '.002', ...).
+[[nodiscard]] std::set<int> updates_beside(const std::filesystem::path& path);
 
 /// 'US4MD81M, edition 31 with updates to 3 (20250923), approach, 1:80000'.
 [[nodiscard]] std::string title_of(const ChartCell& cell);

@@ -11,6 +11,7 @@
 #include "io/charts/chart_shapes_internal.h"
 #include "io/charts/hazard_buffers.h"
 #include "io/files/crs.h"
+#include "io/files/file_hash.h"
 #include "io/files/gdal_at_home.h"
 #include "io/files/quiet_gdal.h"
 #include "io/files/text.h"
@@ -191,6 +192,16 @@ void note_hazards(GDALDataset& file, SurfaceData& data) {
 }
 
 }  // namespace
+
+std::string chart_hash(const fs::path& path) {
+  std::string hash = file_hash(path);
+  if (path.extension() != ".000") return hash;
+  for (const int number : updates_beside(path)) {
+    fs::path update = path;
+    hash += "+" + file_hash(update.replace_extension(fmt::format("{:03}", number)));
+  }
+  return hash;
+}
 
 bool is_chart(const fs::path& path) {
   constexpr std::array kMayBe = {".gpkg", ".sqlite", ".gdb", ".gml"};

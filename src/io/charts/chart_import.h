@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "io/grids/surface_data.h"
 
@@ -9,6 +10,10 @@ namespace swathplan {
 /// True for an S-57 cell (.000), and for vector files that hold a layer DEPARE beside SOUNDG or
 /// DEPCNT: a chart in another format.
 [[nodiscard]] bool is_chart(const std::filesystem::path& path);
+
+/// A fingerprint of a chart as it is read: 'sha1:...' of its file, and of each update that lies
+/// beside it, with '+' between. @throws InvalidInput if a file cannot be read.
+[[nodiscard]] std::string chart_hash(const std::filesystem::path& path);
 
 /// Reads a chart as a prior seafloor: soundings (SOUNDG), contours (DEPCNT) and depth areas
 /// (DEPARE, DRGARE) with their bounds, triangulated as chart_mesh() does. Updates that lie beside

@@ -118,6 +118,34 @@ bool is_companion(const std::string& name) {
          std::find(kCompanions.begin(), kCompanions.end(), extension) != kCompanions.end();
 }
 
+/// '.000', '.001', ...: a cell of an electronic chart, its updates, or the catalogue of a set.
+bool has_cell_number(const std::string& name) {
+  const std::string extension = fs::path(name).extension().string();
+  return extension.size() == 4 && std::all_of(extension.begin() + 1, extension.end(),
+                                              [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool is_cell(const std::string& name) { return fs::path(name).extension() == ".000"; }
+
+/// Updates go with their cell: they are laid beside it, and do not count as files to choose from.
+void lay_updates_beside(std::vector<std::string>& names, const fs::path& folder) {
+  if (std::none_of(names.begin(), names.end(), is_cell)) return;
+  std::vector<std::string> others;
+  for (const std::string& name : names) {
+    if (is_cell(name) || !has_cell_number(name)) {
+      others.push_back(name);
+      continue;
+    }
+    for (const std::string& cell : names) {
+      const fs::path beside = folder / fs::path(cell).parent_path() / fs::path(name).filename();
+      if (!is_cell(cell) || fs::path(cell).stem() != fs::path(name).stem()) continue;
+      std::error_code is_there;
+      fs::copy_file(folder / name, beside, fs::copy_options::skip_existing, is_there);
+    }
+  }
+  names = std::move(others);
+}
+
 std::string choose_file(const std::vector<std::string>& names, const std::string& layer,
                         const fs::path& packed) {
   std::vector<std::string> files;
@@ -180,7 +208,8 @@ fs::path unpack(const fs::path& packed, const fs::path& folder, const std::strin
     return target;
   }
   const std::string system = packing == Packing::zip ? "/vsizip/{" : "/vsitar/{";
-  const std::vector<std::string> names = unpack_all(system + whole + "}", folder, packed);
+  std::vector<std::string> names = unpack_all(system + whole + "}", folder, packed);
+  lay_updates_beside(names, folder);
   return folder / choose_file(names, layer, packed);
 }
 

@@ -13,7 +13,7 @@ class Unpacked {
  public:
   /// `layer` names the file to read where several are packed together (names separated by commas,
   /// with or without folder and extension). Files that only go with others (.prj, .tfw, ...) do not
-  /// count.
+  /// count; nor do the updates of a chart's cell (.001, ...), which are laid beside it.
   /// @throws InvalidInput if the file cannot be unpacked to its end, holds nothing, is too large,
   /// or
   ///   holds several files none of which is chosen.

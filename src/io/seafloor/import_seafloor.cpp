@@ -556,8 +556,8 @@ ImportedSeafloor import_seafloor(const fs::path& path, const ImportOptions& opti
   if (is_packed(path)) return import_packed(path, options);
   ImportedSeafloor result;
   result.file = path.string();
-  result.input_hash = file_hash(path);
   result.kind = kind_of(path, options.layer);
+  result.input_hash = result.kind == "chart" ? chart_hash(path) : file_hash(path);
   const bool has_columns = result.kind == "soundings";
   SurfaceData data = read(path, result.kind, options);
   if (result.kind == "points" || result.kind == "lidar") result.kind = "soundings";

@@ -43,7 +43,7 @@ struct ImportedSeafloor {
   std::string file_crs_wkt;  ///< of the file's own coordinates, where `seafloor.frame` has another
   /// The true azimuth of the frame's north at the middle of the data, degrees; 0 without a CRS.
   double convergence_deg = 0.0;
-  std::string input_hash;  ///< 'sha1:...' of the file's bytes
+  std::string input_hash;  ///< 'sha1:...' of the file's bytes; of a chart of its updates' too
   std::size_t nodes = 0;   ///< vertices, valid cells or distinct soundings of the file
   Vec2 raw_min = Vec2::Zero(), raw_max = Vec2::Zero();  ///< extent in the file's own units
   double raw_z_min = 0.0, raw_z_max = 0.0;              ///< in the file's own units and sense

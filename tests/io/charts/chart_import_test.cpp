@@ -100,6 +100,29 @@ TEST_F(RealCell, AMissingUpdateIsNamed) {
   EXPECT_THAT(read_chart(cell()).notes, Contains(HasSubstr("with updates to 1")));
 }
 
+TEST_F(RealCell, ItsHashCoversItsUpdates) {
+  const std::string all = chart_hash(cell());
+  EXPECT_EQ(import_seafloor(cell()).input_hash, all);
+  EXPECT_EQ(std::count(all.begin(), all.end(), '+'), 3);
+  std::filesystem::remove(cell().replace_extension(".003"));
+  const std::string fewer = chart_hash(cell());
+  EXPECT_EQ(all.substr(0, fewer.size()), fewer);
+  EXPECT_LT(fewer.size(), all.size());
+}
+
+TEST_F(RealCell, IsReadFromAZipWithItsUpdates) {
+  const std::string whole = "/vsizip/" + path("US4MD81M.zip").string();
+  VSILFILE* archive = VSIFOpenL(whole.c_str(), "wb");
+  for (const char* end : {".000", ".001", ".002", ".003"}) {
+    const std::string name = "/ENC_ROOT/US4MD81M/US4MD81M" + std::string(end);
+    ASSERT_EQ(CPLCopyFile((whole + name).c_str(), cell().replace_extension(end).c_str()), 0);
+  }
+  VSIFCloseL(archive);
+  const ImportedSeafloor seafloor = import_seafloor(path("US4MD81M.zip"));
+  EXPECT_EQ(seafloor.kind, "chart");
+  EXPECT_THAT(seafloor.notes, Contains(HasSubstr("edition 31 with updates to 3")));
+}
+
 TEST_F(RealCell, OverviewAndGeneralChartsAreTooCoarse) {
   set_usage_band(2);
   EXPECT_THAT(refusal([&] { return read_chart(cell()); }),

@@ -59,6 +59,20 @@ TEST_F(UnpackedFiles, SeveralFilesAreListedAndOneIsChosen) {
   EXPECT_EQ(Unpacked(file, "g.xyz").file().filename(), "g.xyz");
 }
 
+TEST_F(UnpackedFiles, UpdatesOfACellGoWithIt) {
+  const Unpacked set(zip(path("set.zip"), {"ENC_ROOT/CATALOG.031", "ENC_ROOT/C/0/C.000",
+                                           "ENC_ROOT/C/1/C.001", "ENC_ROOT/README.TXT"}),
+                     "");
+  EXPECT_EQ(read_text(set.file()), "1 2 3 ENC_ROOT/C/0/C.000");
+  std::filesystem::path update = set.file();
+  EXPECT_EQ(read_text(update.replace_extension(".001")), "1 2 3 ENC_ROOT/C/1/C.001");
+  // Of two cells one is to be named; updates are none to choose.
+  const auto two = zip(path("two.zip"), {"A.000", "A.001", "B.000"});
+  EXPECT_THAT(refusal([&] { return Unpacked(two, "").file(); }),
+              HasSubstr("holds 2 files (A.000, B.000)"));
+  EXPECT_EQ(Unpacked(two, "B").file().filename(), "B.000");
+}
+
 TEST_F(UnpackedFiles, CutOffFilesAreRefused) {
   put("/vsigzip/" + path("a.xyz.gz").string(), garbage(5000));
   std::filesystem::resize_file(path("a.xyz.gz"), 2000);
