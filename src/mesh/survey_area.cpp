@@ -116,8 +116,7 @@ Area shoal_ground(const Seafloor& seafloor, const SurveyAreaOptions& options) {
   }
   // The seafloor's own outlines first. Two survey areas share all corners of a shoreline, and
   // Clipper's cost is quadratic in edges that lie on one another.
-  Area shoal = without_dust(
-      subtract(outline(seafloor), outline(below_level(seafloor, level))));
+  Area shoal = without_dust(subtract(outline(seafloor), outline(below_level(seafloor, level))));
   if (shoal.empty()) return shoal;
   if (options.limit) shoal = intersect(shoal, *options.limit);
   return without_dust(subtract(shoal, options.no_go));

@@ -56,7 +56,8 @@ void add_notes(const ForeignRoute& route, std::size_t gaps, bool some_speed, boo
       "the route names no fan: {} degrees to port and {} to starboard were taken for all of it",
       decimal(defaults.fan->port.deg(), 2), decimal(defaults.fan->starboard.deg(), 2));
   imported.notes = route.notes;
-  if (!route.names_kinds) imported.leg_notes.emplace_back("the route names no kinds: all are lines");
+  if (!route.names_kinds)
+    imported.leg_notes.emplace_back("the route names no kinds: all are lines");
   if (!all_speeds) {
     imported.leg_notes.push_back(
         some_speed ? fmt::format("legs without a speed: {} m/s was taken", defaults.speed_mps)

@@ -260,7 +260,8 @@ void add_notes(ImportedRoute& imported, const RouteColumns& columns, const CsvTa
         "the route names no fan: {} degrees to port and {} to starboard were taken for all of it",
         decimal(defaults.fan->port.deg(), 2), decimal(defaults.fan->starboard.deg(), 2));
   }
-  if (!columns.kind) imported.leg_notes.emplace_back("the route names no kinds: all of it is one line");
+  if (!columns.kind)
+    imported.leg_notes.emplace_back("the route names no kinds: all of it is one line");
   if (!columns.speed) {
     imported.leg_notes.push_back(
         fmt::format("the route names no speed: {} m/s was taken", defaults.speed_mps));

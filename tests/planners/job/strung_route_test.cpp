@@ -11,8 +11,8 @@ namespace {
 TEST(StrungRoute, LinesInTheirOrderGiveTheSameRouteAgain) {
   const JobSite bench;
   const Route route = bench.rows(5);
-  const BuiltRoute built =
-      strung(job_lines(route, bench.how.vehicle.turn_radius_m), std::nullopt, bench.site.ground, bench.how, bench.connector);
+  const BuiltRoute built = strung(job_lines(route, bench.how.vehicle.turn_radius_m), std::nullopt,
+                                  bench.site.ground, bench.how, bench.connector);
   ASSERT_EQ(built.route.waypoints.size(), route.waypoints.size());
   for (std::size_t i = 0; i < route.waypoints.size(); ++i) {
     EXPECT_LT((built.route.waypoints[i].position - route.waypoints[i].position).norm(), 1e-6);
