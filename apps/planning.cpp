@@ -315,9 +315,10 @@ void note_water(const std::vector<LegWater>& legs, const Site& site, const Route
                 const Vehicle& vehicle, std::vector<std::string>& notes) {
   if (site.tide == nullptr) return;
   const LegWater* least = nullptr;
-  std::size_t shorts = 0, never = 0, untold = 0;
+  std::size_t shorts = 0, never = 0, untold = 0, unsounded = 0;
   for (const LegWater& leg : legs) {
-    shorts += leg.short_of_water ? 1U : 0U;
+    shorts += leg.short_of_water.value_or(false) ? 1U : 0U;
+    unsounded += leg.least_depth_m ? 0U : 1U;
     never += leg.least_depth_m && leg.windows.empty() ? 1U : 0U;
     untold += site.departure_s && leg.least_depth_m && !leg.under_keel_m ? 1U : 0U;
     if (!leg.under_keel_m) continue;
@@ -337,6 +338,11 @@ void note_water(const std::vector<LegWater>& legs, const Site& site, const Route
                                 counted(never, "leg"), never == 1 ? "has" : "have",
                                 safe_depth_m(vehicle)));
   }
+  if (unsounded > 0) {
+    notes.push_back(
+        fmt::format("{} lead where the data hold no depth: nothing is said of their water",
+                    counted(unsounded, "leg")));
+  }
   if (untold > 0) {
     notes.push_back(
         fmt::format("{} end after the tide's table: nothing is said of their water when sailed",
@@ -347,9 +353,10 @@ void note_water(const std::vector<LegWater>& legs, const Site& site, const Route
 }  // namespace
 
 PlannedSurvey recorded(const std::string& planner, const std::string& label, Plan plan,
-                       ScoredRoute scored, const Site& site, const Survey& survey) {
-  std::vector<LegWater> water =
-      water_of_legs(plan.route, survey.vehicle, *site.depths, {site.tide.get(), site.departure_s});
+                       ScoredRoute scored, const Site& site, const Survey& survey,
+                       const std::vector<Beginning>& beginnings) {
+  std::vector<LegWater> water = water_of_legs(plan.route, survey.vehicle, *site.depths,
+                                              {site.tide.get(), site.departure_s, beginnings});
   add_water(plan.route, water, scored.score.route);
   if (site.is_timed()) note_water(water, site, plan.route, survey.vehicle, plan.notes);
   if (const double land = scored.score.route.over_land_m; land > kTouchM) {
@@ -426,12 +433,13 @@ Plan made_plan(const Planner& planner, const Site& site, const Survey& survey,
 
 PlannedSurvey scored_plan(const std::string& name, const std::string& label, Plan plan,
                           const Site& site, const Survey& survey, const Scorer& scorer,
-                          bool one_sortie) {
+                          bool one_sortie, const std::vector<Beginning>& beginnings) {
   mark_over_land(plan.route, site.land);
   ScoredRoute scored = scorer.score("scoring", plan.route);
   note_corners(scored.score.route, survey.vehicle, plan.notes);
   if (one_sortie) note_endurance(scored.score.route, survey.vehicle, plan.notes);
-  PlannedSurvey planned = recorded(name, label, std::move(plan), std::move(scored), site, survey);
+  PlannedSurvey planned =
+      recorded(name, label, std::move(plan), std::move(scored), site, survey, beginnings);
   planned.judged = scorer.judge("judging by the criterion", planned.plan.route);
   return planned;
 }

@@ -32,9 +32,11 @@ struct PlannedSurvey {
   std::optional<JudgedSurvey> judged = std::nullopt;  ///< by the survey's criterion, if it has one
 };
 /// Records a scored plan under its name and label, with the notes of the plan, then of the site.
+/// `beginnings` of its sorties, for the tide.
 [[nodiscard]] PlannedSurvey recorded(const std::string& planner, const std::string& label,
                                      Plan plan, ScoredRoute scored, const Site& site,
-                                     const Survey& survey);
+                                     const Survey& survey,
+                                     const std::vector<Beginning>& beginnings = {});
 
 /// Adds a note if lines lie W apart and that is more than the sonar's fan sweeps.
 void note_reach(Site& site, const Survey& survey);
@@ -102,7 +104,8 @@ void note_endurance(const RouteFigures& figures, const Vehicle& vehicle,
 /// Scores, judges and records a plan. `one_sortie`: the vehicle's endurance is held against it all.
 [[nodiscard]] PlannedSurvey scored_plan(const std::string& name, const std::string& label,
                                         Plan plan, const Site& site, const Survey& survey,
-                                        const Scorer& scorer, bool one_sortie = true);
+                                        const Scorer& scorer, bool one_sortie = true,
+                                        const std::vector<Beginning>& beginnings = {});
 
 [[nodiscard]] PlannedSurvey plan_and_score(const Planner& planner, const Site& site,
                                            const Survey& survey, const Scorer& scorer);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 #include "apps/commands.h"
@@ -97,6 +98,22 @@ struct PlannedJob {
   std::vector<std::string> stems;
 };
 
+/// When each sortie sets out, after the departure. Days of daylight count from the midnight before
+/// it.
+std::vector<Beginning> beginnings_of(const JobSummary& job, const std::vector<Route>& routes,
+                                     const std::optional<double>& departure_s) {
+  constexpr double kDayS = 86400.0;
+  const double since_midnight =
+      job.by_daylight && departure_s ? std::fmod(*departure_s, kDayS) : 0.0;
+  std::vector<Beginning> beginnings;
+  std::size_t waypoint = 0;
+  for (std::size_t i = 0; i < routes.size(); ++i) {
+    beginnings.push_back({waypoint, job.sorties[i].begins_s - since_midnight});
+    waypoint += routes[i].waypoints.size() - 1;  // sorties share the berth's waypoint
+  }
+  return beginnings;
+}
+
 PlannedJob planned_job(const PlanCommand& command, const JobRequest& request, const Site& site,
                        const Survey& survey, const Scorer& scorer) {
   const auto start = std::chrono::steady_clock::now();
@@ -118,6 +135,7 @@ PlannedJob planned_job(const PlanCommand& command, const JobRequest& request, co
   std::vector<Route> routes;
   std::vector<std::string> stems;
   std::optional<JobSummary> summary;
+  std::vector<Beginning> beginnings;
   if (request.any() || !command.job.keep.empty()) {
     scorer.watch().phase("making the whole job");
     Job made = whole_job(plan.route, scorer.ground(), how, job);
@@ -125,6 +143,7 @@ PlannedJob planned_job(const PlanCommand& command, const JobRequest& request, co
     routes = std::move(made.routes);
     for (Route& sortie : routes) mark_over_land(sortie, site.land);
     summary = std::move(made.summary);
+    beginnings = beginnings_of(*summary, routes, site.departure_s);
     stems = sortie_stems(*summary);
     notes.insert(notes.end(), made.notes.begin(), made.notes.end());
     const auto said = job_notes(*summary, cross_figures(plan.route));
@@ -136,8 +155,8 @@ PlannedJob planned_job(const PlanCommand& command, const JobRequest& request, co
   }
   const double planning =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  PlannedSurvey survey_of_all =
-      scored_plan(main.name, main.label, std::move(plan), site, survey, scorer, stems.empty());
+  PlannedSurvey survey_of_all = scored_plan(main.name, main.label, std::move(plan), site, survey,
+                                            scorer, stems.empty(), beginnings);
   survey_of_all.planning_seconds = planning;
   survey_of_all.record.job = std::move(summary);
   for (const std::string& stem : stems) survey_of_all.record.job_files.push_back(stem + ".csv");

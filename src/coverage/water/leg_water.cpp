@@ -62,13 +62,36 @@ class LegSounder {
   bool unknown_ = false, beyond_table_ = false;
 };
 
+/// A part of a leg, and when it begins if not at the end of the one before.
+struct TimedLeg {
+  Leg leg{};
+  std::optional<double> begins_s;
+};
+
+std::vector<TimedLeg> timed_legs(const Route& route, const std::vector<Beginning>& beginnings) {
+  std::vector<TimedLeg> parts;
+  auto next = beginnings.begin();
+  for (const Leg& leg : legs(route)) {
+    Leg part = leg;
+    std::optional<double> begins;
+    for (; next != beginnings.end() && next->waypoint < leg.last; ++next) {
+      if (next->waypoint > part.first) parts.push_back({{part.first, next->waypoint}, begins});
+      part.first = next->waypoint;
+      begins = next->begins_s;
+    }
+    parts.push_back({part, begins});
+  }
+  return parts;
+}
+
 }  // namespace
 
 std::vector<LegWater> water_of_legs(const Route& route, const Vehicle& vehicle,
                                     const DepthQuery& depths, const Sailing& sailing) {
   std::vector<LegWater> result;
   double seconds = 0.0;
-  for (const Leg& leg : legs(route)) {
+  for (const auto& [leg, begins_s] : timed_legs(route, sailing.beginnings)) {
+    seconds = begins_s.value_or(seconds);
     LegWater water;
     water.leg = leg;
     water.start_s = seconds;

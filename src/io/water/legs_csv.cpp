@@ -26,10 +26,11 @@ std::string legs_csv(const Route& route, const std::vector<LegWater>& legs,
       windows += fmt::format("{}{}/{}", windows.empty() ? "" : " ", time_text(span.from_s),
                              time_text(span.to_s));
     }
+    const std::string shoal = leg.short_of_water ? (*leg.short_of_water ? "1" : "0") : "";
     text += fmt::format("{},{},{},{:.1f},{:.1f},{},{},{},{},{},{}\r\n", i + 1,
                         w.line ? std::to_string(*w.line) : "", name(w.kind), leg.start_s, leg.end_s,
                         time(leg.start_s), time(leg.end_s), metres(leg.least_depth_m),
-                        metres(leg.under_keel_m), leg.short_of_water ? 1 : 0, windows);
+                        metres(leg.under_keel_m), shoal, windows);
   }
   return text;
 }

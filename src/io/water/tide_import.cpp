@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "io/files/text.h"
 #include "io/water/times.h"
@@ -122,6 +123,31 @@ void check_gaps(const std::vector<TideRow>& rows, const std::filesystem::path& p
   }
 }
 
+/// High and low waters take turns: two of a kind in a row mean that one between them is missing.
+void check_turns(const std::vector<TideRow>& rows, const std::filesystem::path& path) {
+  for (std::size_t i = 2; i < rows.size(); ++i) {
+    const double before = rows[i - 1].at.height_m - rows[i - 2].at.height_m;
+    const double now = rows[i].at.height_m - rows[i - 1].at.height_m;
+    if (before * now < 0.0) continue;
+    fail_in_tide(
+        path, rows[i].line,
+        fmt::format("rows so far apart are high and low waters in turn, but {:.2f}, {:.2f} "
+                    "and {:.2f} m are not: fill in the water that is missing, or give "
+                    "heights each hour or oftener",
+                    rows[i - 2].at.height_m, rows[i - 1].at.height_m, rows[i].at.height_m));
+  }
+}
+
+void check_heights(const std::vector<TideRow>& rows, const std::filesystem::path& path) {
+  constexpr double kLargest = 25.0;  // the largest tides of all rise 17 m
+  for (const TideRow& row : rows) {
+    if (std::abs(row.at.height_m) <= kLargest) continue;
+    fail_in_tide(path, row.line,
+                 fmt::format("no tide stands at {:g} m: give heights in metres above chart datum",
+                             row.at.height_m));
+  }
+}
+
 }  // namespace
 
 ImportedTide import_tide(const std::filesystem::path& path) {
@@ -133,12 +159,14 @@ ImportedTide import_tide(const std::filesystem::path& path) {
   }
   check_order(rows, path);
   check_gaps(rows, path);
+  check_heights(rows, path);
   std::vector<TideHeight> heights;
   for (const TideRow& row : rows) heights.push_back(row.at);
   const auto [low, high] = std::minmax_element(
       heights.begin(), heights.end(),
       [](const TideHeight& a, const TideHeight& b) { return a.height_m < b.height_m; });
   ImportedTide read{Tide(heights), {}};
+  if (read.tide.by_cosines()) check_turns(rows, path);
   read.notes.push_back(fmt::format("tide of '{}': {} rows from {} to {}, {:.2f} to {:.2f} m{}",
                                    path.filename().string(), rows.size(),
                                    time_text(heights.front().time_s),

@@ -40,7 +40,7 @@ TEST_F(LegWaterTest, OfStillWaterIsTheDepthLessTheDraft) {
   EXPECT_NEAR(*legs[1].under_keel_m, 2.0, 1e-9);
   EXPECT_NEAR(legs[1].start_s, 3000.0, 1e-6);
   EXPECT_NEAR(legs[1].end_s, 8000.0, 1e-6);
-  EXPECT_FALSE(legs[1].short_of_water);
+  EXPECT_EQ(legs[1].short_of_water, false);
   EXPECT_TRUE(legs[1].windows.empty());
 }
 
@@ -49,14 +49,28 @@ TEST_F(LegWaterTest, TheTideOfTheHourCountsAndItsWindows) {
   const Tide tide({{0.0, 0.0}, {1000.0, -1.0}, {2000.0, -2.0}, {9000.0, -2.0}, {11000.0, 0.0}});
   const auto legs = water_of_legs(route, vehicle, depths, {&tide, 0.0});
   EXPECT_NEAR(*legs[0].under_keel_m, 7.0, 1e-6);
-  EXPECT_FALSE(legs[0].short_of_water);
+  EXPECT_EQ(legs[0].short_of_water, false);
   EXPECT_NEAR(*legs[1].under_keel_m, 0.0, 1e-6);
-  EXPECT_TRUE(legs[1].short_of_water);
+  EXPECT_EQ(legs[1].short_of_water, true);
   // 3 m carry the boat (1.5 m) while the tide is above -1.5 m.
   ASSERT_EQ(legs[1].windows.size(), 2U);
   EXPECT_NEAR(legs[1].windows[0].to_s, 1500.0, Tide::kTideStepS);
   EXPECT_NEAR(legs[1].windows[1].from_s, 9500.0, Tide::kTideStepS);
   EXPECT_EQ(legs[0].windows.size(), 1U);
+}
+
+// Two sorties: the second one begins half-way on the second leg, a day later.
+TEST_F(LegWaterTest, EachSortieHasTheTideOfItsOwnTime) {
+  const double day = 86400.0;
+  const Tide tide({{0.0, 0.0}, {day - 60.0, 0.0}, {day, -1.0}, {2.0 * day, -1.0}});
+  route.waypoints.insert(route.waypoints.begin() + 2, route.waypoints[1]);
+  route.waypoints[2].position.x() = 30.0;
+  const auto legs = water_of_legs(route, vehicle, depths, {&tide, 0.0, {{0, 0.0}, {2, day}}});
+  ASSERT_EQ(legs.size(), 3U) << "parted where the sortie begins";
+  EXPECT_NEAR(legs[1].end_s, 6000.0, 1e-6);
+  EXPECT_NEAR(*legs[1].under_keel_m, 2.0, 1e-6);
+  EXPECT_NEAR(legs[2].start_s, day, 1e-6);
+  EXPECT_NEAR(*legs[2].under_keel_m, 1.0, 1e-6);
 }
 
 TEST_F(LegWaterTest, TheLeastOfAllLegsAndOfEachLineIsAFigureOfTheRoute) {

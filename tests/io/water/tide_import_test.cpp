@@ -53,6 +53,11 @@ TEST_F(TideFile, GapsAndDisorderAreNamedByTheirRows) {
       refusal("2026-05-01T06:00,1\n2026-05-01T07:00,1\n2026-05-01T08:00,1\n"
               "2026-05-01T12:00,1\n"),
       HasSubstr("line 4: a gap of 4.0 h before 2026-05-01T12:00:00Z, where rows are 1.0 h"));
+  EXPECT_THAT(refusal("2026-05-01T00:00,0.2\n2026-05-01T06:10,1.4\n2026-05-01T18:30,1.5\n"
+                      "2026-05-02T00:40,0.2\n"),
+              HasSubstr("line 3: rows so far apart are high and low waters in turn"));
+  EXPECT_THAT(refusal("2026-05-01T00:00,0.2\n2026-05-01T06:10,-140\n"),
+              HasSubstr("line 2: no tide stands at -140 m"));
   EXPECT_THAT(refusal("time,height\n2026-05-01T06:00,high\n"), HasSubstr("'high' is no height"));
   EXPECT_THAT(refusal("time,height\n6 o'clock,1\n"), HasSubstr("is no time; write it as"));
   EXPECT_THAT(refusal("time,height\n2026-05-01T06:00,1\n"), HasSubstr("holds one row"));
