@@ -97,7 +97,9 @@ std::string verdict(const ComparedPlan& plan) {
       score.logged_counts ? "logged" : "covered by all pings", percent_text(counted.hit_5_pct));
   if (plan.judged != nullptr) text += ": " + short_sentence(plan.judged->verdict);
   text += ".";
-  if (score.least_hours && *score.least_hours > 0.0) {
+  // The least hours are of all of the site: they are no measure for a plan of a part of it.
+  constexpr double kNearlyAll = 90.0;
+  if (score.least_hours && *score.least_hours > 0.0 && counted.hit_pct >= kNearlyAll) {
     text += fmt::format(" {:.2f} times the least hours that the site can take.",
                         score.route.duration_s / 3600.0 / *score.least_hours);
   }

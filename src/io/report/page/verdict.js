@@ -23,7 +23,8 @@ function tileOf(p, key, text, label) {
 
 function tilesOf(p) {
   const f = p.figures, logged = p.counted === 'logged';
-  const known = f.hours_ratio !== null && f.hours_ratio !== undefined;
+  // The least hours are of all of the site: they are no measure for a plan of a part of it.
+  const known = f.hours_ratio !== null && f.hours_ratio !== undefined && p.counted_pct >= 90;
   return [
     tileOf(p, 'duration_s', time(f.duration_s), 'under way'),
     tileOf(p, 'length_m', long(f.length_m), 'sailed'),
