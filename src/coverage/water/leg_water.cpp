@@ -21,7 +21,8 @@ class LegSounder {
   void sail(const Vec2& from, const Vec2& to, double speed_mps, double seconds) {
     const double length = (to - from).norm();
     const double steps = std::max(1.0, std::ceil(length / kDepthStepM));
-    for (double k = 0.0; k <= steps; ++k) {
+    // Nothing is said of a leg without a depth, however far beyond the data it runs on.
+    for (double k = 0.0; k <= steps && !unknown_; ++k) {
       look(from + k / steps * (to - from), seconds + k / steps * length / speed_mps);
     }
   }
